@@ -1,0 +1,29 @@
+//! The files that pass between stages: their schemas, hashes, provenance, and how they are written.
+//!
+//! A stage reads and writes these types and knows no other stage's code. Documents are JSON, tables CSV;
+//! both keep every bit of an `f64`. Field names carry units. A file appears whole or not at all.
+
+mod atomic;
+mod convergence;
+mod error;
+mod hash;
+mod json;
+mod optics;
+mod orders;
+mod parameters;
+mod provenance;
+mod table;
+
+pub use atomic::{create_folder, read_text, write_atomic};
+pub use convergence::ConvergenceRow;
+pub use error::ArtifactError;
+pub use hash::{hash_bytes, hash_of};
+pub use json::{read_json, to_json, write_json};
+pub use optics::{Extinction, ForwardFraction, OpticsDocument, ReachedError, SizeDensity, WavelengthOptics};
+pub use orders::{OrderResult, OrdersDocument, OrdersRow, TracedMedium};
+pub use parameters::{
+    FittedParameter, Flag, MediumRecord, Misfit, ParameterRow, ParameterTable, ParametersCsvRow,
+    ParametersDocument, RowIncidence,
+};
+pub use provenance::Provenance;
+pub use table::{read_csv, to_csv, write_csv};

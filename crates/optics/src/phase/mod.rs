@@ -1,0 +1,28 @@
+//! Phase functions: one trait, and its implementations, one file each.
+
+mod henyey_greenstein;
+mod isotropic;
+
+pub use henyey_greenstein::HenyeyGreenstein;
+pub use isotropic::Isotropic;
+
+/// A phase function P with mean 1 over the sphere, as a probability law of v = 1 - cosΘ ∈ \[0, 2\].
+///
+/// v, not cosΘ, is the variable throughout: near the forward direction it keeps the digits that cosΘ loses.
+/// The density of v is P/2.
+pub trait PhaseFunction: Send + Sync {
+    /// P at v = 1 - cosΘ.
+    fn value(&self, v: f64) -> f64;
+
+    /// Probability that 1 - cosΘ ≤ v.
+    fn cumulative(&self, v: f64) -> f64;
+
+    /// The v at which [`cumulative`](Self::cumulative) equals `xi` ∈ \[0, 1): inversion, the sampler.
+    fn invert(&self, xi: f64) -> f64;
+
+    /// Asymmetry parameter g, the mean of cosΘ.
+    fn asymmetry(&self) -> f64;
+
+    /// Legendre moments χ_0 … χ_{count-1}, χ_l = ½∫P·P_l dcosΘ.
+    fn moments(&self, count: usize) -> Vec<f64>;
+}

@@ -1,0 +1,10 @@
+//! Estimates with errors, hashed random streams, and every comparator the project trusts.
+//!
+//! A comparator is library code with tests of its own: it accepts equals, rejects an error planted just
+//! above its threshold, and ignores what it must ignore. Statistical ones state their false-alarm rate.
+
+mod estimate;
+mod stream;
+
+pub use estimate::Estimate;
+pub use stream::{Purpose, key, photon_stream};

@@ -1,0 +1,1 @@
+//! What holds between the crates: the tests are in `tests/`.
