@@ -4,8 +4,10 @@
 //! by a slab of thickness H at the moment its depth first passes H, with the scatterings it has had by then; one
 //! flight may pass several. Only depth and direction cosine μ matter for fluxes, and the azimuth ψ about
 //! the direction of flight is uniform: μ' = μ cosΘ + √(1-μ²) sinΘ cosψ, with sin²Θ = v(2-v), v = 1 - cosΘ.
+//! The arithmetic is in [`lanes`](crate::lanes); here photons enter the lanes, are counted, and leave.
 
-use crate::kernels::{cos_azimuth, exponential, uniform};
+use crate::kernels::{exponential, uniform};
+use crate::lanes::{LANES, Lanes, collide_and_fly};
 use crate::run::{Estimator, run};
 use crate::tally::Tally;
 use crate::{Control, TraceMedium, TraceRequest, Traced, TransportError};
@@ -29,9 +31,9 @@ pub fn trace_half_space(
 }
 
 /// The half space with the depths at which something is counted, in its own extinction.
-pub(crate) struct HalfSpace<'a> {
+struct HalfSpace<'a> {
     table: &'a SamplingTable,
-    /// Ascending; infinity stands at the end.
+    /// Ascending.
     bottoms: Vec<f64>,
     incidence: Incidence,
     /// A collision absorbs where its random word is not below this.
@@ -41,58 +43,20 @@ pub(crate) struct HalfSpace<'a> {
 
 impl<'a> HalfSpace<'a> {
     fn new(medium: &'a TraceMedium, request: &TraceRequest, tau: &[f64]) -> Self {
-        let bottoms = tau.iter().map(|tau| tau * medium.extinction()).chain([f64::INFINITY]).collect();
         Self {
             table: medium.table(),
-            bottoms,
+            bottoms: tau.iter().map(|tau| tau * medium.extinction()).collect(),
             incidence: request.incidence,
             absorbs_from: (medium.albedo() * 4_294_967_296.0).round() as u64,
             key: key(request.seed, Purpose::HalfSpaceTracer(request.stream)),
         }
     }
 
-    fn launch(&self, rng: &mut Pcg32) -> f64 {
+    /// μ at the top.
+    fn incident_cosine(&self, rng: &mut Pcg32) -> f64 {
         match self.incidence {
             Incidence::Beam(mu0) => mu0.get(),
             Incidence::Diffuse => uniform(rng.next_u32()).sqrt(),
-        }
-    }
-
-    #[inline]
-    fn absorbs(&self, rng: &mut Pcg32) -> bool {
-        self.absorbs_from < 1 << 32 && u64::from(rng.next_u32()) >= self.absorbs_from
-    }
-
-    /// μ after a scattering.
-    #[inline(always)]
-    fn scatter(&self, mu: f64, rng: &mut Pcg32) -> f64 {
-        let v = self.table.sample(rng.next_u32());
-        let sine = ((1.0 - mu * mu).max(0.0) * v * (2.0 - v)).sqrt();
-        mu * (1.0 - v) + sine * cos_azimuth(rng.next_u32())
-    }
-
-    fn history(&self, rng: &mut Pcg32, tally: &mut Tally) {
-        let mut mu = self.launch(rng);
-        let mut depth = 0.0;
-        let mut next = 0;
-        let mut order = 0;
-        loop {
-            depth += mu * exponential(rng.next_u32());
-            if depth < 0.0 {
-                return tally.reflect(next, order);
-            }
-            while depth >= self.bottoms[next] {
-                tally.transmit(next, order);
-                next += 1;
-            }
-            if next + 1 == self.bottoms.len() {
-                return;
-            }
-            if self.absorbs(rng) {
-                return tally.absorb(next, order);
-            }
-            mu = self.scatter(mu, rng);
-            order += 1;
         }
     }
 }
@@ -101,12 +65,89 @@ impl Estimator for HalfSpace<'_> {
     const NESTED: bool = true;
 
     fn trace(&self, photons: Range<u64>, tally: &mut Tally, control: Control<'_>) {
-        for index in photons {
-            if control.is_cancelled() {
+        Flock::new(self, photons, tally).trace(control);
+    }
+}
+
+/// The photons of one batch on their way through the lanes.
+struct Flock<'a> {
+    half_space: &'a HalfSpace<'a>,
+    waiting: Range<u64>,
+    tally: &'a mut Tally,
+    lanes: Lanes,
+    /// The first slab that each lane's photon has not passed.
+    slab: [usize; LANES],
+    in_flight: usize,
+}
+
+impl<'a> Flock<'a> {
+    fn new(half_space: &'a HalfSpace<'a>, photons: Range<u64>, tally: &'a mut Tally) -> Self {
+        let (lanes, slab) = (Lanes::parked(), [0; LANES]);
+        Self { half_space, waiting: photons, tally, lanes, slab, in_flight: 0 }
+    }
+
+    fn trace(mut self, control: Control<'_>) {
+        (0..LANES).for_each(|lane| self.launch(lane));
+        while self.in_flight > 0 {
+            let half_space = self.half_space;
+            let mut events = collide_and_fly(&mut self.lanes, half_space.table, half_space.absorbs_from);
+            if events != 0 && control.is_cancelled() {
                 return;
             }
-            tally.launch(1);
-            self.history(&mut photon_stream(self.key, index), tally);
+            while events != 0 {
+                self.settle(events.trailing_zeros() as usize);
+                events &= events - 1;
+            }
         }
+    }
+
+    /// Starts the next photon that does not pass all slabs in its first flight; parks the lane if none is left.
+    fn launch(&mut self, lane: usize) {
+        while let Some(index) = self.waiting.next() {
+            let mut rng = photon_stream(self.half_space.key, index);
+            let mu = self.half_space.incident_cosine(&mut rng);
+            let depth = mu * exponential(rng.next_u32());
+            self.tally.launch(1);
+            let slab = self.pass(0, depth, 0);
+            if let Some(&bottom) = self.half_space.bottoms.get(slab) {
+                self.lanes.place(lane, &rng, mu, depth, bottom);
+                self.slab[lane] = slab;
+                self.in_flight += 1;
+                return;
+            }
+        }
+        self.lanes.park(lane);
+    }
+
+    /// Counts the slabs from `slab` on whose bottoms are above `depth`; returns the first that is not.
+    #[inline]
+    fn pass(&mut self, mut slab: usize, depth: f64, order: u32) -> usize {
+        while self.half_space.bottoms.get(slab).is_some_and(|&bottom| depth >= bottom) {
+            self.tally.transmit(slab, order);
+            slab += 1;
+        }
+        slab
+    }
+
+    /// Counts what happened to a photon, and replaces it if it has ended.
+    fn settle(&mut self, lane: usize) {
+        if self.lanes.is_parked(lane) {
+            return;
+        }
+        let (slab, depth, order) = (self.slab[lane], self.lanes.depth[lane], self.lanes.order[lane]);
+        if self.lanes.absorbed[lane] {
+            self.tally.absorb(slab, order - 1);
+        } else if depth < 0.0 {
+            self.tally.reflect(slab, order);
+        } else {
+            let slab = self.pass(slab, depth, order);
+            if let Some(&bottom) = self.half_space.bottoms.get(slab) {
+                self.slab[lane] = slab;
+                self.lanes.bottom[lane] = bottom;
+                return;
+            }
+        }
+        self.in_flight -= 1;
+        self.launch(lane);
     }
 }

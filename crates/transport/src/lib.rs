@@ -12,6 +12,7 @@ mod control;
 mod error;
 mod half_space;
 mod kernels;
+mod lanes;
 mod medium;
 mod plain;
 mod request;

@@ -13,6 +13,7 @@ use std::sync::Arc;
 const INTERVAL_BITS: u32 = 12;
 const INTERVALS: usize = 1 << INTERVAL_BITS;
 const OFFSET_BITS: u32 = 32 - INTERVAL_BITS;
+const OFFSET_MASK: u32 = (1 << OFFSET_BITS) - 1;
 /// The unit of ξ for one random word.
 const WORD: f64 = 1.0 / 4_294_967_296.0;
 /// Fractions of an interval where its parabola is held against the cumulative.
@@ -58,7 +59,7 @@ impl Interval {
 #[derive(Clone)]
 pub struct SamplingTable {
     phase: Arc<dyn PhaseFunction>,
-    intervals: Box<[Interval]>,
+    intervals: Box<[Interval; INTERVALS]>,
 }
 
 impl SamplingTable {
@@ -68,23 +69,30 @@ impl SamplingTable {
     /// Tabulates `phase`: 8193 inversions and six cumulatives per interval.
     pub fn new(phase: Arc<dyn PhaseFunction>) -> Self {
         let knots: Vec<f32> = (0..=INTERVALS).map(|k| knot(phase.as_ref(), k)).collect();
-        let intervals =
-            (0..INTERVALS).map(|k| Interval::fit(phase.as_ref(), k, [knots[k], knots[k + 1]])).collect();
+        let fit = |k| Interval::fit(phase.as_ref(), k, [knots[k], knots[k + 1]]);
+        let intervals = Box::new(std::array::from_fn(fit));
         Self { phase, intervals }
     }
 
     /// v = 1 - cosΘ of the random word `bits`: non-decreasing in `bits`, within \[0, 2\].
     #[inline(always)]
     pub fn sample(&self, bits: u32) -> f64 {
-        let interval = &self.intervals[(bits >> OFFSET_BITS) as usize];
-        let offset = bits & ((1 << OFFSET_BITS) - 1);
-        let v = interval.at((f64::from(offset) + 0.5) * (1.0 / f64::from(1_u32 << OFFSET_BITS)));
+        let v = self.parabola(bits);
         if v.is_nan() { self.exact(bits) } else { v }
     }
 
+    /// The same without a branch, for loops over many words: NaN where [`exact`](Self::exact) is needed.
+    #[inline(always)]
+    pub fn parabola(&self, bits: u32) -> f64 {
+        let interval = self.intervals[(bits >> OFFSET_BITS) as usize];
+        let offset = (bits & OFFSET_MASK) as i32;
+        interval.at((f64::from(offset) + 0.5) * (1.0 / f64::from(1_u32 << OFFSET_BITS)))
+    }
+
+    /// v of the random word `bits` by the phase function's own inversion.
     #[cold]
     #[inline(never)]
-    fn exact(&self, bits: u32) -> f64 {
+    pub fn exact(&self, bits: u32) -> f64 {
         self.phase.invert((f64::from(bits) + 0.5) * WORD)
     }
 
