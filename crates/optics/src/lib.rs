@@ -2,3 +2,4 @@
 //! phase function the project knows.
 
 pub mod phase;
+pub mod sampling;
