@@ -2,9 +2,11 @@
 
 mod henyey_greenstein;
 mod isotropic;
+mod modified;
 
 pub use henyey_greenstein::HenyeyGreenstein;
 pub use isotropic::Isotropic;
+pub use modified::Modified;
 
 /// A phase function P with mean 1 over the sphere, as a probability law of v = 1 - cosΘ ∈ \[0, 2\].
 ///
