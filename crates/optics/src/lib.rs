@@ -12,6 +12,7 @@ mod error;
 pub mod mie;
 pub mod phase;
 mod run;
+pub mod sampling;
 pub mod water;
 
 pub use cache::load_or_compute;

@@ -22,7 +22,7 @@ fn last_digit(field: &str) -> f64 {
     // Du prints six or seven digits; `.0` after a whole number is the transcription's.
     let mantissa = mantissa.strip_suffix(".0").unwrap_or(mantissa);
     let decimals = mantissa.split_once('.').map_or(0, |(_, digits)| digits.len());
-    10f64.powi(exponent.parse::<i32>().unwrap() - decimals as i32)
+    libm::pow(10.0, exponent.parse::<f64>().unwrap() - decimals as f64)
 }
 
 /// The printed number, unless `value` is within two units of its last digit (rounding of the sum included).

@@ -37,7 +37,9 @@ mod tests {
     fn rules_are_exact_for_their_degree() {
         for n in [2, 3, 6, 20, 48] {
             for k in 0..n as i32 {
-                let integral = gauss_legendre(n).iter().fold(0.0, |sum, (x, w)| sum + w * x.powi(2 * k));
+                let integral = gauss_legendre(n)
+                    .iter()
+                    .fold(0.0, |sum, (x, w)| sum + w * libm::pow(*x, f64::from(2 * k)));
                 assert!((integral * f64::from(2 * k + 1) - 2.0).abs() < 1e-12, "{n} {k}");
             }
         }

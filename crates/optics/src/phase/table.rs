@@ -68,10 +68,8 @@ impl PhaseTable {
         if (norm - 1.0).abs() > 1e-12 {
             self.p.iter_mut().for_each(|p| *p /= norm);
         }
-        self.cumulative.iter_mut().for_each(|f| *f = (*f / norm).min(1.0));
-        if let Some(last) = self.cumulative.last_mut() {
-            *last = 1.0;
-        }
+        let rest = self.accumulate();
+        self.cumulative.iter_mut().for_each(|f| *f = (*f / rest).min(1.0));
     }
 
     /// Θ of the nodes, degrees.

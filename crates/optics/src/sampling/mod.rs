@@ -1,0 +1,5 @@
+//! Fast samplers of scattering angles.
+
+mod table;
+
+pub use table::SamplingTable;
