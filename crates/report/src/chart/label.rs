@@ -35,6 +35,11 @@ fn next_opening(text: &str) -> Option<(usize, Level)> {
 /// Content of an SVG `text` element of `size` units. Shifts are by `dy`: not every reader knows `baseline-shift`.
 pub fn svg(text: &str, size: f64) -> Markup {
     let mut height = 0.0;
+    // Readers may drop a space at the start of a span; they keep one that does not break.
+    let kept = |piece: &str| match piece.strip_prefix(' ') {
+        Some(rest) => format!("\u{a0}{rest}"),
+        None => piece.to_owned(),
+    };
     let spans: Vec<_> = pieces(text)
         .into_iter()
         .map(|(level, piece)| {
@@ -45,7 +50,7 @@ pub fn svg(text: &str, size: f64) -> Markup {
             };
             let (dy, font) = (target - height, if level == Level::Base { size } else { 0.74 * size });
             height = target;
-            (piece, dy, font)
+            (kept(piece), dy, font)
         })
         .collect();
     html! {
