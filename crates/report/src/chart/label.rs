@@ -35,11 +35,6 @@ fn next_opening(text: &str) -> Option<(usize, Level)> {
 /// Content of an SVG `text` element of `size` units. Shifts are by `dy`: not every reader knows `baseline-shift`.
 pub fn svg(text: &str, size: f64) -> Markup {
     let mut height = 0.0;
-    // Readers may drop a space at the start of a span; they keep one that does not break.
-    let kept = |piece: &str| match piece.strip_prefix(' ') {
-        Some(rest) => format!("\u{a0}{rest}"),
-        None => piece.to_owned(),
-    };
     let spans: Vec<_> = pieces(text)
         .into_iter()
         .map(|(level, piece)| {
@@ -50,13 +45,17 @@ pub fn svg(text: &str, size: f64) -> Markup {
             };
             let (dy, font) = (target - height, if level == Level::Base { size } else { 0.74 * size });
             height = target;
-            (kept(piece), dy, font)
+            (piece, dy, font)
         })
         .collect();
     html! {
         @for (piece, dy, font) in spans {
             @if dy == 0.0 && font == size { (piece) }
-            @else { tspan dy=(format!("{dy:.2}")) font-size=(format!("{font:.1}")) { (piece) } }
+            @else {
+                // Some readers drop a space at the start of a span, none drops one between spans.
+                @if piece.starts_with(' ') { " " }
+                tspan dy=(format!("{dy:.2}")) font-size=(format!("{font:.1}")) { (piece.trim_start()) }
+            }
         }
     }
 }
@@ -104,6 +103,12 @@ mod tests {
         );
         assert_eq!(html("κ_{c}").into_string(), "κ<sub>c</sub>");
         assert_eq!(plain("κ_{c} (m^{−1})"), "κc (m−1)");
+    }
+
+    #[test]
+    fn a_space_after_a_subscript_stays() {
+        let text = svg("θ_{l} (degrees)", 10.0).into_string();
+        assert!(text.contains("</tspan> <tspan") && text.contains(">(degrees)<"), "{text}");
     }
 
     #[test]

@@ -77,9 +77,9 @@ impl Panel {
 
     fn ticks(&self, area: &Area) -> Markup {
         let (w, h) = (area.width, area.height);
-        // One label needs about 60 units along x and 36 along y.
+        // One label needs about 60 units along x and 44 along y.
         let across = area.x.ticks((w / 60.0) as usize);
-        let up = area.y.ticks((h / 36.0) as usize);
+        let up = area.y.ticks((h / 44.0) as usize);
         html! {
             @for tick in &across {
                 @if let Some(x) = area.x.position(tick.value).map(|p| p * w) {
