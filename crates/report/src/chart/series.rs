@@ -84,7 +84,7 @@ impl Series {
             if let Some((x, y)) = place {
                 // Far outside the area the exact place does not matter, but long numbers do.
                 let y = y.clamp(-4.0 * area.height, 5.0 * area.height);
-                let _ = write!(path, "{}{x:.2} {y:.2}", if pen_down { 'L' } else { 'M' });
+                let _ = write!(path, "{}{x:.1} {y:.1}", if pen_down { 'L' } else { 'M' });
             }
             pen_down = place.is_some();
         }
