@@ -72,29 +72,19 @@ impl Lanes {
         words
     }
 
-    /// v = 1 - cosΘ per lane.
-    #[inline(always)]
-    fn scattering_angles(&mut self, table: &SamplingTable) -> Lane<f64> {
-        let words = self.draw();
-        let mut v = words.map(|word| table.parabola(word));
-        if v.iter().any(|v| v.is_nan()) {
-            for (v, word) in v.iter_mut().zip(words).filter(|(v, _)| v.is_nan()) {
-                *v = table.exact(word);
-            }
-        }
-        v
-    }
-
     #[inline(always)]
     fn absorb(&mut self, absorbs_from: u64) {
         if absorbs_from < 1 << 32 {
-            self.absorbed = self.draw().map(|word| u64::from(word) >= absorbs_from);
+            let words = self.draw();
+            for (absorbed, word) in self.absorbed.iter_mut().zip(words) {
+                *absorbed = u64::from(word) >= absorbs_from;
+            }
         }
     }
 
     #[inline(always)]
     fn scatter(&mut self, table: &SamplingTable) {
-        let angles = self.scattering_angles(table);
+        let angles = table.sample_all(&self.draw());
         let azimuths = self.draw();
         for (mu, (v, azimuth)) in self.mu.iter_mut().zip(angles.iter().zip(azimuths)) {
             let sine = ((1.0 - *mu * *mu).max(0.0) * v * (2.0 - v)).sqrt();
@@ -114,10 +104,12 @@ impl Lanes {
     /// Bit k is set where lane k left its layer or was absorbed.
     #[inline(always)]
     fn events(&self) -> u32 {
-        (0..LANES).fold(0, |events, k| {
+        let mut events = 0;
+        for k in 0..LANES {
             let left = (self.depth[k] < 0.0) | (self.depth[k] >= self.bottom[k]) | self.absorbed[k];
-            events | (u32::from(left) << k)
-        })
+            events |= u32::from(left) << k;
+        }
+        events
     }
 }
 
