@@ -17,10 +17,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("codegen", &["quantities", "artifact", "model"]),
     ("gpu", &[]),
     ("report", &["quantities", "stats", "artifact"]),
-    (
-        "cli",
-        &["quantities", "stats", "artifact", "optics", "transport", "model", "fit", "codegen", "report"],
-    ),
+    ("cli", &["quantities", "stats", "artifact", "optics", "transport", "model", "fit", "codegen", "report"]),
 ];
 
 fn dependencies(manifest: &Path) -> BTreeSet<String> {
@@ -63,7 +60,9 @@ fn the_architecture_page_names_every_crate_and_stays_short() {
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
         let path = entry.path();
-        if path.is_dir() && !matches!(entry.file_name().to_str(), Some("target" | ".git" | "out" | "generated")) {
+        if path.is_dir()
+            && !matches!(entry.file_name().to_str(), Some("target" | ".git" | "out" | "generated"))
+        {
             sources(&path, found);
         } else if path.extension().is_some_and(|e| e == "rs" || e == "wgsl" || e == "py") {
             found.push(path);

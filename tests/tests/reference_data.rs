@@ -31,11 +31,12 @@ fn faults(folder: &Path) -> Vec<String> {
         Ok(source) => source,
         Err(error) => return vec![format!("SOURCE.toml: {error}")],
     };
-    let mut faults: Vec<String> = [&source.title, &source.citation, &source.origin, &source.licence, &source.digits]
-        .iter()
-        .filter(|field| field.trim().is_empty())
-        .map(|_| "SOURCE.toml has an empty field".to_owned())
-        .collect();
+    let mut faults: Vec<String> =
+        [&source.title, &source.citation, &source.origin, &source.licence, &source.digits]
+            .iter()
+            .filter(|field| field.trim().is_empty())
+            .map(|_| "SOURCE.toml has an empty field".to_owned())
+            .collect();
     let present: BTreeSet<_> =
         fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
     faults.extend(

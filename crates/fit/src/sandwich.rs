@@ -188,7 +188,7 @@ mod tests {
     const Q: [f64; 2] = [-5.0, 5.0];
 
     fn data() -> (Decay, [f64; 5]) {
-        (Decay(vec![0.7, 0.9, 0.1, 0.3, -0.1]), [0.3, -1.0, 0.5, 0.2, 0.7])
+        (Decay(vec![0.7, 1.2, -0.3, 0.6, -0.1]), [0.3, -1.0, 0.5, 0.2, 0.7])
     }
 
     /// Refits with the data moved along one direction give dp; the covariance of that direction must be dp·dpᵀ. Without
@@ -204,12 +204,12 @@ mod tests {
         let sensitivity = Sensitivity::new(&decay, &solution, &[[0.0, 10.0], Q], &[]).unwrap().unwrap();
         let covariance = sensitivity.covariance(&[block]);
         for i in 0..2 {
-            println!("{:?} {:?} {}", solution.parameters, covariance.std_error(i), change(i));
             assert!((covariance.std_error(i).unwrap() / change(i).abs() - 1.0).abs() < 1e-6);
         }
         assert!((covariance.correlation(0, 1).unwrap() - (change(0) * change(1)).signum()).abs() < 1e-9);
         let first_order = dot(solution.jacobian.column(0), solution.jacobian.column(0));
-        assert!((sensitivity.hessian.get(0, 0) / first_order - 1.0).abs() > 0.2);
+        let second_order = sensitivity.hessian.get(0, 0) / first_order - 1.0;
+        assert!(second_order.abs() > 0.1, "{second_order}");
     }
 
     #[test]
