@@ -33,7 +33,7 @@ pub struct Comparison {
 impl Comparison {
     /// The parameters that differ.
     pub fn differing(&self) -> impl Iterator<Item = &Deviation> {
-        self.deviations.iter().filter(|d| !(d.z.abs() <= self.threshold))
+        self.deviations.iter().filter(|d| d.z.is_nan() || d.z.abs() > self.threshold)
     }
 
     /// Whether none differs.
