@@ -50,6 +50,8 @@ pub struct TransportConfig {
     pub orders_medium: Medium,
     /// Photons per incidence and medium.
     pub photons: u64,
+    /// The same at the angles half-way between those of the fit, which tell the table's interpolation error.
+    pub photons_between: u64,
     /// Seed of the random streams.
     pub seed: u64,
 }
@@ -68,14 +70,10 @@ pub struct CodegenConfig {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ConvergenceConfig {
-    /// Angle of the curve, degrees.
+    /// Angle of the curve, degrees: one of `fit.theta_l_deg`, whose reference it is held against.
     pub theta_l_deg: f64,
-    /// Thickness of the curve, metres.
-    pub thickness_m: f64,
     /// Photons of each point.
     pub photons: Vec<u64>,
-    /// Photons of the reference that errors are measured against.
-    pub reference_photons: u64,
 }
 
 /// `[regression]`: the largest |model - fresh Monte Carlo| that is accepted, per quantity, beyond the Monte
@@ -141,11 +139,10 @@ impl Config {
         let counts = Range::closed(1.0, 9_007_199_254_740_992.0);
         let count = |name: &str, value: u64| counts.check(name, value as f64).map(|_| ());
         count("photons", self.transport.photons)?;
+        count("photons_between", self.transport.photons_between)?;
         count("photons", self.regression.photons)?;
-        count("reference_photons", self.convergence.reference_photons)?;
         self.convergence.photons.iter().try_for_each(|n| count("photons", *n))?;
         Range::closed(0.0, 90.0).check("theta_l_deg", self.convergence.theta_l_deg)?;
-        Range::above(0.0).check("thickness_m", self.convergence.thickness_m)?;
         Range::open(0.0, 1.0).check("false_alarm_rate", self.regression.false_alarm_rate)?;
         let bounds = self.regression.bounds;
         for (name, bound) in
