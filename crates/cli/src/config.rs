@@ -123,7 +123,11 @@ impl Config {
         })?;
         if config.schema != Self::SCHEMA {
             let message = format!("schema `{}` is not `{}`", config.schema, Self::SCHEMA);
-            return Err(CliError::Input(message).at(&format!("{}:{}", path.display(), key_line(&text, "schema").unwrap_or(1))));
+            return Err(CliError::Input(message).at(&format!(
+                "{}:{}",
+                path.display(),
+                key_line(&text, "schema").unwrap_or(1)
+            )));
         }
         Ok(config)
     }
@@ -145,9 +149,13 @@ impl Config {
         Range::closed(0.0, 90.0).check("theta_l_deg", self.convergence.theta_l_deg)?;
         Range::open(0.0, 1.0).check("false_alarm_rate", self.regression.false_alarm_rate)?;
         let bounds = self.regression.bounds;
-        for (name, bound) in
-            [("t_ms", bounds.t_ms), ("t_1", bounds.t_1), ("t_2", bounds.t_2), ("r_1", bounds.r_1), ("r_2", bounds.r_2)]
-        {
+        for (name, bound) in [
+            ("t_ms", bounds.t_ms),
+            ("t_1", bounds.t_1),
+            ("t_2", bounds.t_2),
+            ("r_1", bounds.r_1),
+            ("r_2", bounds.r_2),
+        ] {
             Range::closed(0.0, 1.0).check(name, bound)?;
         }
         if !self.optics.wavelengths_um.contains(&self.transport.wavelength_um) {
@@ -166,10 +174,11 @@ fn line_of(text: &str, offset: usize) -> usize {
 /// The first line that assigns `key` (a dotted quantity's last part).
 fn key_line(text: &str, key: &str) -> Option<usize> {
     let key = key.rsplit('.').next().unwrap_or(key);
-    text.lines().position(|line| {
-        line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
-    })
-    .map(|index| index + 1)
+    text.lines()
+        .position(|line| {
+            line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
+        })
+        .map(|index| index + 1)
 }
 
 #[cfg(test)]

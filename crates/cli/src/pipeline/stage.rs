@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use stratiform_artifact::{Provenance, create_folder, hash_bytes, hash_of, read_json, write_atomic, write_json};
+use stratiform_artifact::{
+    Provenance, create_folder, hash_bytes, hash_of, read_json, write_atomic, write_json,
+};
 
 /// What a stage left behind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -51,8 +53,12 @@ impl Workspace {
         create_folder(dir)?;
         // A manifest that cannot be read proves nothing: every stage then runs.
         let stages = read_json::<Manifest>(&dir.join("manifest.json")).map(|m| m.stages).unwrap_or_default();
-        let manifest =
-            Manifest { schema: "stratiform/manifest/1".to_owned(), title: title.to_owned(), provenance, stages };
+        let manifest = Manifest {
+            schema: "stratiform/manifest/1".to_owned(),
+            title: title.to_owned(),
+            provenance,
+            stages,
+        };
         let workspace = Self { dir: dir.to_owned(), manifest, talk };
         workspace.save()?;
         Ok(workspace)
@@ -92,7 +98,8 @@ impl Workspace {
         let written = run(&self.dir)?;
         let mut files = BTreeMap::new();
         for file in written {
-            let bytes = std::fs::read(self.dir.join(&file)).map_err(|e| CliError::Input(format!("{file}: {e}")))?;
+            let bytes =
+                std::fs::read(self.dir.join(&file)).map_err(|e| CliError::Input(format!("{file}: {e}")))?;
             files.insert(file, hash_bytes(&bytes));
         }
         let seconds = start.elapsed().as_secs_f64();
