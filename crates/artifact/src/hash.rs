@@ -11,7 +11,6 @@ pub fn hash_bytes(bytes: &[u8]) -> String {
 ///
 /// # Panics
 /// Never for types whose serialisation cannot fail, which all of this project's are.
-#[expect(clippy::missing_panics_doc, clippy::expect_used, reason = "documented above; maps have string keys")]
 pub fn hash_of<T: Serialize + ?Sized>(value: &T) -> String {
     hash_bytes(serde_json::to_string(value).expect("plain data serialises").as_bytes())
 }

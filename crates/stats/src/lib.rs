@@ -3,8 +3,12 @@
 //! A comparator is library code with tests of its own: it accepts equals, rejects an error planted just
 //! above its threshold, and ignores what it must ignore. Statistical ones state their false-alarm rate.
 
+mod chi_square;
 mod estimate;
 mod stream;
+mod z;
 
+pub use chi_square::{ChiSquare, ChiSquareError, MIN_EXPECTED, chi_square};
 pub use estimate::Estimate;
 pub use stream::{Purpose, key, photon_stream};
+pub use z::{family_threshold, z_score};

@@ -1,0 +1,228 @@
+//! The command line exactly as typed. Turning it into checked objects is the commands' work.
+
+use crate::numbers::{count, finite, pair};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// From a cloud's droplets to real-time cloud-layer shading whose error is known.
+#[derive(Debug, Parser)]
+#[command(
+    name = "stratiform",
+    version,
+    max_term_width = 100,
+    arg_required_else_help = true,
+    after_help = "Exit codes: 0 done; 1 a check failed or a tolerance could not be met; 2 bad input or usage; 130 \
+                  interrupted.\nstdout is data, stderr is talk. The same seed gives the same bytes for any number \
+                  of threads.\n\nExamples:\n  stratiform reproduce fit-configs/appendix-b.toml --out out/appendix-b\n  \
+                  stratiform trace --phase hg:0.85 --tau 1,5,16 --mu0 1,0.5,diffuse --photons 1e6 --json\n  \
+                  stratiform mie --x 100 --m 1.33,1e-5 --angles 0,90,180"
+)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+    /// Threads to use; the numbers do not depend on it. Default: one per core.
+    #[arg(long, global = true, value_name = "N")]
+    pub threads: Option<usize>,
+    /// Say nothing on stderr but errors.
+    #[arg(long, global = true)]
+    pub quiet: bool,
+}
+
+/// The stages and what goes round them.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// One homogeneous sphere: efficiencies, asymmetry parameter, amplitudes.
+    Mie(MieArgs),
+    /// Optics of a droplet distribution: phase functions, moments, extinction.
+    Optics(OpticsArgs),
+    /// Monte Carlo reflectance and transmittance of slabs, per scattering order.
+    Trace(TraceArgs),
+    /// Fit the one-dimensional model to the tracer, with errors and flags.
+    Fit(StageArgs),
+    /// Emit WGSL, JSON and CSV from the accepted parameters; `--check` proves the emitted text fresh.
+    Codegen(CodegenArgs),
+    /// Every stage, then the report: from droplets to shader tables.
+    Reproduce(StageArgs),
+    /// Draw the figures and the page from a folder that `reproduce` wrote.
+    Report(ReportArgs),
+}
+
+/// `stratiform mie`.
+#[derive(Debug, Args)]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Example: stratiform mie --x 100 --m 1.33,1e-5 --angles 0,90,180 --json\nDomain: 1e-3 <= x <= 1e5; \
+                  m = n + ik with k >= 0 absorbing; amplitudes in Bohren and Huffman's sign."
+)]
+pub struct MieArgs {
+    /// Size parameter 2πr/λ.
+    #[arg(long, value_parser = finite)]
+    pub x: f64,
+    /// Complex refractive index n,k relative to the medium outside.
+    #[arg(long, value_parser = pair, value_name = "N,K")]
+    pub m: [f64; 2],
+    /// Scattering angles in degrees.
+    #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "DEG,...")]
+    pub angles: Vec<f64>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `stratiform optics`.
+#[derive(Debug, Args)]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Examples:\n  stratiform optics --config fit-configs/appendix-b.toml --out out/optics\n  stratiform optics \
+                  --r-eff 7 --gamma 2 --n0 300 --wavelength 0.65,0.55,0.45 --out out/optics"
+)]
+pub struct OpticsArgs {
+    /// Take droplets, wavelengths and index from this file's [optics] section.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["r_eff", "gamma", "n0", "wavelength"])]
+    pub config: Option<PathBuf>,
+    /// Effective radius in µm of a modified gamma distribution.
+    #[arg(long, value_parser = finite, required_unless_present = "config")]
+    pub r_eff: Option<f64>,
+    /// Shape γ of the modified gamma distribution; effective variance 1/(γ+2).
+    #[arg(long, value_parser = finite, required_unless_present = "config")]
+    pub gamma: Option<f64>,
+    /// Droplets per cm³.
+    #[arg(long, value_parser = finite, required_unless_present = "config")]
+    pub n0: Option<f64>,
+    /// Wavelengths in µm.
+    #[arg(long, value_delimiter = ',', value_parser = finite, required_unless_present = "config")]
+    pub wavelength: Vec<f64>,
+    /// θ_f in degrees, the edge of the modified phase function.
+    #[arg(long, value_parser = finite, default_value = "5", value_name = "DEG")]
+    pub modified: f64,
+    /// Folder to write optics.json and the tables to.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Print optics.json.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// MEDIUM: what light is traced through.
+#[derive(Debug, Args)]
+pub struct MediumArgs {
+    /// isotropic | rayleigh | hg:G | draine:G,ALPHA | moments:FILE | table:FILE | config:FILE.
+    #[arg(long, value_name = "PHASE")]
+    pub phase: String,
+    /// Divide a phase table by its norm even if that is off by more than 1e-3.
+    #[arg(long)]
+    pub renormalise: bool,
+    /// Single-scattering albedo; default 1, or what config:FILE says.
+    #[arg(long, value_parser = finite)]
+    pub omega: Option<f64>,
+    /// Move scattering by less than this angle (degrees) into the unscattered beam. Orders then count wide
+    /// events; --tau still means the full medium's optical thickness.
+    #[arg(long, value_parser = finite, value_name = "DEG")]
+    pub modified: Option<f64>,
+}
+
+/// Which tracer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Estimator {
+    /// Depth and μ only, one history for all thicknesses.
+    HalfSpace,
+    /// Three-dimensional, one slab at a time: slower, the reference.
+    Plain,
+}
+
+/// `stratiform trace`.
+#[derive(Debug, Args)]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Examples:\n  stratiform trace --phase hg:0.75 --tau 1,8 --mu0 1 --photons 1e7\n  stratiform trace \
+                  --phase config:fit-configs/appendix-b.toml --modified 5 --tau 5 --mu0 0,0.5,diffuse --photons 1e6 \
+                  --json\nA phase table is piecewise linear in the angle; its rows are theta_deg,p with 1/2 ∫ p \
+                  dcosΘ = 1."
+)]
+pub struct TraceArgs {
+    /// What light is traced through.
+    #[command(flatten)]
+    pub medium: MediumArgs,
+    /// Optical thicknesses of the full medium.
+    #[arg(long, value_delimiter = ',', value_parser = finite, required = true)]
+    pub tau: Vec<f64>,
+    /// Cosines of the sun's zenith angle in [0, 1], or `diffuse`.
+    #[arg(long, value_delimiter = ',', required = true)]
+    pub mu0: Vec<String>,
+    /// Photons per incidence (with --std-error: at most so many).
+    #[arg(long, value_parser = count)]
+    pub photons: u64,
+    /// Stop as soon as every standard error is at most this; exit code 1 if --photons did not suffice.
+    #[arg(long, value_parser = finite)]
+    pub std_error: Option<f64>,
+    /// Orders listed one by one; the rest is the tail.
+    #[arg(long, default_value_t = 2)]
+    pub orders: u32,
+    /// Seed of the random streams.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Which tracer.
+    #[arg(long, value_enum, default_value = "half-space")]
+    pub estimator: Estimator,
+    /// Print one JSON object instead of CSV.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `stratiform fit` and `stratiform reproduce`.
+#[derive(Debug, Args)]
+#[command(after_help = "Example: stratiform reproduce fit-configs/appendix-b.toml --out out/appendix-b\nStages whose \
+                        inputs are unchanged are not run again.")]
+pub struct StageArgs {
+    /// The fit-config (TOML).
+    pub config: PathBuf,
+    /// Folder for all artifacts.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Overrides the config's seed.
+    #[arg(long)]
+    pub seed: Option<u64>,
+    /// Overrides the config's photons per incidence and medium.
+    #[arg(long, value_parser = count)]
+    pub photons: Option<u64>,
+    /// Print parameters.json instead of the table.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `stratiform codegen`.
+#[derive(Debug, Args)]
+#[command(after_help = "Example: stratiform codegen fit-configs/appendix-b.toml --check")]
+pub struct CodegenArgs {
+    /// The fit-config, whose [codegen] section names the accepted artifacts and the output folder.
+    pub config: PathBuf,
+    /// Write nothing; exit code 1 with a diff if the emitted text is stale or edited.
+    #[arg(long)]
+    pub check: bool,
+    /// Print one JSON object: the files and whether each is fresh.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `stratiform report`.
+#[derive(Debug, Args)]
+#[command(after_help = "Example: stratiform report out/appendix-b")]
+pub struct ReportArgs {
+    /// A folder that `reproduce` wrote.
+    pub dir: PathBuf,
+    /// Print one JSON object: the files written.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+}

@@ -1,0 +1,52 @@
+//! What the command can end with, and the exit code of each.
+
+use std::process::ExitCode;
+use stratiform_artifact::ArtifactError;
+use stratiform_quantities::DomainError;
+
+/// The ways a command fails.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// Bad input or usage: exit code 2, nothing on stdout, nothing written.
+    #[error("{0}")]
+    Input(String),
+    /// A check failed, or a budget or tolerance could not be met: exit code 1.
+    #[error("{0}")]
+    Failed(String),
+    /// Ctrl-C or a termination signal: exit code 130, as shells expect.
+    #[error("interrupted; no file was left half-written")]
+    Interrupted,
+}
+
+impl CliError {
+    /// Puts the place of the fault before the message.
+    #[must_use]
+    pub fn at(self, place: &str) -> Self {
+        match self {
+            Self::Input(message) => Self::Input(format!("{place}: {message}")),
+            Self::Failed(message) => Self::Failed(format!("{place}: {message}")),
+            Self::Interrupted => Self::Interrupted,
+        }
+    }
+
+    /// The process's exit code.
+    pub fn exit_code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            Self::Input(_) => 2,
+            Self::Failed(_) => 1,
+            Self::Interrupted => 130,
+        })
+    }
+}
+
+impl From<ArtifactError> for CliError {
+    fn from(error: ArtifactError) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
+impl From<DomainError> for CliError {
+    fn from(error: DomainError) -> Self {
+        Self::Input(error.to_string())
+    }
+}

@@ -1,0 +1,38 @@
+//! stdout is data: written once, whole, when everything has succeeded. stderr is talk.
+
+use crate::CliError;
+use std::io::{ErrorKind, Write};
+
+/// What a command hands to `main` for stdout.
+pub type Data = String;
+
+/// Writes `data` to stdout. A reader that closed the pipe has what it wanted.
+///
+/// # Errors
+/// [`CliError::Input`] if stdout cannot be written, a full disk for example.
+pub fn emit(data: &str) -> Result<(), CliError> {
+    let mut stdout = std::io::stdout().lock();
+    match stdout.write_all(data.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(CliError::Input(format!("cannot write to standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Says something on stderr unless told to be quiet.
+#[derive(Clone, Copy, Debug)]
+pub struct Talk {
+    /// No talk at all, except errors.
+    pub quiet: bool,
+}
+
+impl Talk {
+    /// One line on stderr.
+    #[expect(clippy::print_stderr, reason = "the one place where the command talks")]
+    pub fn say(self, line: impl std::fmt::Display) {
+        if !self.quiet {
+            eprintln!("{line}");
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! What can go wrong.
+
+use stratiform_quantities::DomainError;
+
+/// Why a trace gave no result.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum TransportError {
+    /// A number outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// No thickness was asked for.
+    #[error("tau: the list of optical thicknesses is empty")]
+    NoThickness,
+    /// Thicknesses times orders exceed what the tallies hold.
+    #[error("{thicknesses} thicknesses with {orders} orders each make more than {max} rows")]
+    TooManyRows {
+        /// Number of thicknesses.
+        thicknesses: usize,
+        /// Rows per thickness: orders 0…N and the tail.
+        orders: usize,
+        /// Largest product.
+        max: usize,
+    },
+    /// The caller asked to stop.
+    #[error("cancelled")]
+    Cancelled,
+    /// Photons were lost or counted twice: a defect of the tracer.
+    #[error("at tau = {tau}, {counted} photons were counted of {launched} launched")]
+    Books {
+        /// Optical thickness of the slab.
+        tau: f64,
+        /// Reflected, transmitted and absorbed ones together.
+        counted: u64,
+        /// Histories started.
+        launched: u64,
+    },
+}

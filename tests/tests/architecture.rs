@@ -1,0 +1,95 @@
+//! The shape of the project: which crate may see which, and how large files may grow.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use stratiform_tests::root;
+
+/// crate -> crates it may depend on. ARCHITECTURE.md draws the same table.
+const ALLOWED: &[(&str, &[&str])] = &[
+    ("quantities", &[]),
+    ("stats", &["quantities"]),
+    ("artifact", &["quantities", "stats"]),
+    ("optics", &["quantities", "artifact"]),
+    ("transport", &["quantities", "stats", "optics"]),
+    ("model", &["quantities"]),
+    ("fit", &["quantities", "stats", "artifact", "model"]),
+    ("codegen", &["quantities", "artifact", "model"]),
+    ("gpu", &[]),
+    ("report", &["quantities", "stats", "artifact"]),
+    ("cli", &["quantities", "stats", "artifact", "optics", "transport", "model", "fit", "codegen", "report"]),
+];
+
+fn dependencies(manifest: &Path) -> BTreeSet<String> {
+    let text = fs::read_to_string(manifest).unwrap();
+    let table: toml::Table = text.parse().unwrap();
+    let names = table.get("dependencies").and_then(|d| d.as_table()).into_iter().flat_map(|d| d.keys());
+    names.filter_map(|name| name.strip_prefix("stratiform-")).map(str::to_owned).collect()
+}
+
+fn crates() -> Vec<String> {
+    let mut names: Vec<_> = fs::read_dir(root().join("crates"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn crates_see_only_what_the_table_allows() {
+    let allowed: BTreeMap<_, _> = ALLOWED.iter().copied().collect();
+    for name in crates() {
+        let may = allowed.get(name.as_str()).unwrap_or_else(|| panic!("crate {name} is not in the table"));
+        for seen in dependencies(&root().join("crates").join(&name).join("Cargo.toml")) {
+            assert!(may.contains(&seen.as_str()), "{name} may not depend on {seen}");
+        }
+    }
+    assert_eq!(crates().len(), ALLOWED.len(), "the table lists a crate that does not exist");
+}
+
+#[test]
+fn the_architecture_page_names_every_crate_and_stays_short() {
+    let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    for name in crates() {
+        assert!(page.contains(&format!("`{name}`")), "ARCHITECTURE.md does not mention `{name}`");
+    }
+    assert!(page.lines().count() <= 200);
+}
+
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
+        let path = entry.path();
+        if path.is_dir()
+            && !matches!(entry.file_name().to_str(), Some("target" | ".git" | "out" | "generated"))
+        {
+            sources(&path, found);
+        } else if path.extension().is_some_and(|e| e == "rs" || e == "wgsl" || e == "py") {
+            found.push(path);
+        }
+    }
+}
+
+#[test]
+fn files_stay_small() {
+    let mut files = Vec::new();
+    sources(&root(), &mut files);
+    assert!(files.len() > 20, "guard against checking nothing");
+    let mut lengths: Vec<_> =
+        files.iter().map(|path| (fs::read_to_string(path).unwrap().lines().count(), path)).collect();
+    lengths.sort();
+    let (longest, path) = lengths[lengths.len() - 1];
+    assert!(longest <= 600, "{} has {longest} lines", path.display());
+    let (median, _) = lengths[lengths.len() / 2];
+    assert!(median <= 200, "the median file has {median} lines");
+}
+
+#[test]
+fn the_project_stands_alone() {
+    let mut files = Vec::new();
+    sources(&root(), &mut files);
+    for path in files.iter().filter(|path| !path.ends_with("tests/architecture.rs")) {
+        let text = fs::read_to_string(path).unwrap();
+        assert!(!text.contains("../shared"), "{} refers to a folder outside the project", path.display());
+    }
+}
