@@ -172,8 +172,10 @@ pub struct TraceArgs {
 
 /// `stratiform fit` and `stratiform reproduce`.
 #[derive(Debug, Args)]
-#[command(after_help = "Example: stratiform reproduce fit-configs/appendix-b.toml --out out/appendix-b\nStages whose \
-                        inputs are unchanged are not run again.")]
+#[command(
+    after_help = "Example: stratiform reproduce fit-configs/appendix-b.toml --out out/appendix-b\nStages whose \
+                        inputs are unchanged are not run again."
+)]
 pub struct StageArgs {
     /// The fit-config (TOML).
     pub config: PathBuf,

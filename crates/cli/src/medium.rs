@@ -6,7 +6,9 @@ use crate::{CliError, numbers, pipeline};
 use std::path::Path;
 use std::sync::Arc;
 use stratiform_artifact::TracedMedium;
-use stratiform_optics::phase::{Draine, HenyeyGreenstein, Isotropic, Modified, Norm, PhaseFunction, PhaseTable, Rayleigh};
+use stratiform_optics::phase::{
+    Draine, HenyeyGreenstein, Isotropic, Modified, Norm, PhaseFunction, PhaseTable, Rayleigh,
+};
 use stratiform_quantities::{Asymmetry, Medium as Kind, SingleScatteringAlbedo};
 use stratiform_transport::TraceMedium;
 
@@ -61,7 +63,8 @@ impl Medium {
                 record.medium = Kind::Modified;
                 record.theta_f_deg = Some(theta_f_deg);
                 record.forward_fraction = Some(forward_fraction);
-                TraceMedium::modified(Arc::new(modified), omega, forward_fraction).map_err(pipeline::trace_error)?
+                TraceMedium::modified(Arc::new(modified), omega, forward_fraction)
+                    .map_err(pipeline::trace_error)?
             }
         };
         Ok(Self { record, traced })
@@ -90,7 +93,9 @@ fn source(phase: &str, norm: Norm) -> Result<Source, CliError> {
             let [g, alpha] = numbers::pair(pair).map_err(input)?;
             Ok(Source::of(Draine::new(asymmetry(g)?, alpha).map_err(|error| input(error.to_string()))?))
         }
-        ("moments", file) => PhaseTable::read_moments(Path::new(file)).map(Source::of).map_err(pipeline::input_error),
+        ("moments", file) => {
+            PhaseTable::read_moments(Path::new(file)).map(Source::of).map_err(pipeline::input_error)
+        }
         ("table", file) => {
             PhaseTable::read(Path::new(file), norm).map(Source::of).map_err(pipeline::input_error)
         }

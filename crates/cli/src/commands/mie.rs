@@ -5,7 +5,7 @@ use crate::args::MieArgs;
 use crate::output::Data;
 use std::fmt::Write;
 use stratiform_artifact::to_json;
-use stratiform_optics::mie::{self, MieDocument};
+use stratiform_optics::mie::{self, document::MieDocument};
 
 /// Runs the command.
 ///
@@ -22,7 +22,11 @@ pub fn run(args: &MieArgs) -> Result<Data, CliError> {
         text.push_str("theta_deg,s1_re,s1_im,s2_re,s2_im\n");
     }
     for angle in &document.angles {
-        let _ = writeln!(text, "{},{},{},{},{}", angle.theta_deg, angle.s1[0], angle.s1[1], angle.s2[0], angle.s2[1]);
+        let _ = writeln!(
+            text,
+            "{},{},{},{},{}",
+            angle.theta_deg, angle.s1[0], angle.s1[1], angle.s2[0], angle.s2[1]
+        );
     }
     Ok(text)
 }

@@ -13,7 +13,8 @@ pub fn run(args: &ReportArgs, talk: Talk) -> Result<Data, CliError> {
     for left_out in &summary.left_out {
         talk.say(format!("left out: {} (no {})", left_out.what, left_out.file));
     }
-    let files: Vec<_> = summary.figures.iter().chain([&summary.page]).map(|path| path.display().to_string()).collect();
+    let files: Vec<_> =
+        summary.figures.iter().chain([&summary.page]).map(|path| path.display().to_string()).collect();
     if args.json {
         return Ok(format!("{}\n", serde_json::json!({ "schema": "stratiform/report/1", "files": files })));
     }

@@ -1,10 +1,10 @@
 //! `stratiform fit` and `stratiform reproduce`: the chain, up to the parameters or to the end.
 
+use crate::CliError;
 use crate::args::StageArgs;
 use crate::config::Config;
 use crate::output::{Data, Talk};
 use crate::pipeline::{self, Target};
-use crate::CliError;
 
 /// Runs `fit`.
 ///

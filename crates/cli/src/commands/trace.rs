@@ -33,7 +33,7 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
         request.check().map_err(pipeline::trace_error)?;
     }
     let medium = Medium::parse(&args.medium)?;
-    
+
     let mut results = Vec::new();
     let mut worst: f64 = 0.0;
     for request in &requests {
@@ -51,7 +51,9 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
     }
     if let Some(target) = args.std_error.filter(|target| worst > *target) {
         let photons = args.photons;
-        let message = format!("{photons} photons reach a standard error of {worst:.3e}, not {target:.3e}: raise --photons");
+        let message = format!(
+            "{photons} photons reach a standard error of {worst:.3e}, not {target:.3e}: raise --photons"
+        );
         return Err(CliError::Failed(message));
     }
     render(args, &medium, results)
@@ -85,7 +87,9 @@ fn render(args: &TraceArgs, medium: &Medium, results: Vec<OrderResult>) -> Resul
         let inputs = (medium.record(), &args.tau, &args.mu0, args.photons, args.std_error, args.orders);
         let method = match args.estimator {
             Estimator::HalfSpace => "half-space Monte Carlo; std_error is one standard deviation of the mean",
-            Estimator::Plain => "plain three-dimensional Monte Carlo; std_error is one standard deviation of the mean",
+            Estimator::Plain => {
+                "plain three-dimensional Monte Carlo; std_error is one standard deviation of the mean"
+            }
         };
         let document = OrdersDocument {
             schema: OrdersDocument::SCHEMA.to_owned(),

@@ -56,10 +56,13 @@ pub fn write(config: &Config, cloud: &Cloud, dir: &Path, talk: Talk) -> Result<V
 fn reference(dir: &Path, theta: f64) -> Result<Vec<f64>, CliError> {
     let rows: Vec<OrdersRow> = read_csv(&dir.join("orders.csv"))?;
     let name = theta.to_string();
-    let wanted = |row: &&OrdersRow| row.theta_l_deg == name && row.medium == Medium::Full && row.order == "total";
+    let wanted =
+        |row: &&OrdersRow| row.theta_l_deg == name && row.medium == Medium::Full && row.order == "total";
     let values: Vec<_> = rows.iter().filter(wanted).map(|row| row.reflectance).collect();
     if values.is_empty() {
-        return Err(CliError::Input(format!("convergence.theta_l_deg = {theta} is not one of fit.theta_l_deg")));
+        return Err(CliError::Input(format!(
+            "convergence.theta_l_deg = {theta} is not one of fit.theta_l_deg"
+        )));
     }
     Ok(values)
 }

@@ -7,8 +7,8 @@ use crate::config::Config;
 use crate::pipeline::curves;
 use std::path::Path;
 use stratiform_artifact::{
-    AngularShares, CoarseTabulation, Misfit, ModifiedBias, NotesDocument, OpticsDocument, OrdersRow, ParametersDocument,
-    Provenance, PublishedMisfit, RowIncidence, WavelengthShares, read_csv, read_json,
+    AngularShares, CoarseTabulation, Misfit, ModifiedBias, NotesDocument, OpticsDocument, OrdersRow,
+    ParametersDocument, Provenance, PublishedMisfit, RowIncidence, WavelengthShares, read_csv, read_json,
 };
 use stratiform_fit::Reference;
 use stratiform_model::table::cos_degrees;
@@ -46,7 +46,12 @@ pub fn gather(
         shares,
         coarse_tabulation,
         modified_bias: modified_bias(&read_csv(&dir.join("orders.csv"))?)?,
-        published_misfit: published_misfit(config, cloud, parameters, &read_json::<Vec<Reference>>(&dir.join("reference.json"))?)?,
+        published_misfit: published_misfit(
+            config,
+            cloud,
+            parameters,
+            &read_json::<Vec<Reference>>(&dir.join("reference.json"))?,
+        )?,
     })
 }
 
@@ -66,7 +71,8 @@ fn coarse(phase: &PhaseTable, wavelength_um: f64, theta_f_deg: f64) -> CoarseTab
         let mean = 0.5 * (phase.value(versine(a)) + phase.value(versine(b)));
         0.5 * mean * (versine(b) - versine(a))
     };
-    let below = |limit: f64| (0..180).filter(|d| f64::from(*d) < limit).map(strip).fold(0.0, |sum, x| sum + x);
+    let below =
+        |limit: f64| (0..180).filter(|d| f64::from(*d) < limit).map(strip).fold(0.0, |sum, x| sum + x);
     let (raw_integral, raw_forward_fraction) = (below(180.0), below(theta_f_deg));
     let forward_fraction = raw_forward_fraction / raw_integral;
     CoarseTabulation { wavelength_um, step_deg: 1.0, raw_integral, raw_forward_fraction, forward_fraction }
@@ -106,7 +112,9 @@ fn row_incidence(text: &str) -> Result<RowIncidence, CliError> {
     match text.parse() {
         Ok(degrees) => Ok(RowIncidence::Degrees(degrees)),
         Err(_) if text == "diffuse" => Ok(RowIncidence::diffuse()),
-        Err(_) => Err(CliError::Input(format!("orders.csv: theta_l_deg `{text}` is neither an angle nor `diffuse`"))),
+        Err(_) => Err(CliError::Input(format!(
+            "orders.csv: theta_l_deg `{text}` is neither an angle nor `diffuse`"
+        ))),
     }
 }
 
@@ -122,14 +130,21 @@ fn published_misfit(
     let mut all = Vec::new();
     for row in published::rows()? {
         let wanted = RowIncidence::Degrees(row.theta_l_deg);
-        let Some(reference) = references.iter().find(|reference| reference.incidence == wanted) else { continue };
+        let Some(reference) = references.iter().find(|reference| reference.incidence == wanted) else {
+            continue;
+        };
         let values = published::values(&row, parameters.metres.kappa_s);
         let mut differences: [Vec<f64>; 5] = Default::default();
         for (k, thickness) in metres.iter().enumerate() {
             let model = curves::fluxes(&values, row.theta_l_deg, *thickness)?;
             let [t_1, t_2, r_1, r_2] = &reference.orders;
-            let pairs =
-                [(model.t_ms, reference.t_ms[k]), (model.t_1, t_1[k]), (model.t_2, t_2[k]), (model.r_1, r_1[k]), (model.r_2, r_2[k])];
+            let pairs = [
+                (model.t_ms, reference.t_ms[k]),
+                (model.t_1, t_1[k]),
+                (model.t_2, t_2[k]),
+                (model.r_1, r_1[k]),
+                (model.r_2, r_2[k]),
+            ];
             differences.iter_mut().zip(pairs).for_each(|(list, (model, truth))| list.push(model - truth));
         }
         let names = ["t_ms", "t_1", "t_2", "r_1", "r_2"];
@@ -141,6 +156,12 @@ fn published_misfit(
 
 fn misfit(quantity: &str, differences: &[f64], metres: &[f64]) -> Misfit {
     let square = differences.iter().fold(0.0, |sum, d| sum + d * d) / differences.len() as f64;
-    let worst = (0..differences.len()).fold(0, |w, k| if differences[k].abs() > differences[w].abs() { k } else { w });
-    Misfit { quantity: quantity.to_owned(), rms: square.sqrt(), max: differences[worst].abs(), max_at: metres[worst] }
+    let worst = (0..differences.len())
+        .fold(0, |w, k| if differences[k].abs() > differences[w].abs() { k } else { w });
+    Misfit {
+        quantity: quantity.to_owned(),
+        rms: square.sqrt(),
+        max: differences[worst].abs(),
+        max_at: metres[worst],
+    }
 }

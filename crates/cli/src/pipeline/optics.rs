@@ -5,7 +5,7 @@ use crate::config::Config;
 use std::path::{Path, PathBuf};
 use stratiform_artifact::{OpticsDocument, WavelengthOptics, read_json, write_csv};
 use stratiform_optics::phase::{Norm, PhaseRow, PhaseTable};
-use stratiform_optics::{Ensemble, mie};
+use stratiform_optics::{ensemble::Ensemble, mie};
 use stratiform_quantities::{ExtinctionConvention, SingleScatteringAlbedo};
 
 /// What the transport needs to know of a cloud.
@@ -48,7 +48,11 @@ pub fn cache_folder() -> Option<PathBuf> {
 /// # Errors
 /// [`CliError::Input`] for numbers out of domain, [`CliError::Failed`] if the error asked for is not reached.
 pub fn ensembles(config: &stratiform_optics::OpticsConfig) -> Result<Vec<Ensemble>, CliError> {
-    stratiform_optics::load_or_compute(config, cache_folder().as_deref()).map_err(optics_error)
+    match cache_folder() {
+        Some(folder) => stratiform_optics::load_or_compute(config, &folder),
+        None => stratiform_optics::compute(config),
+    }
+    .map_err(optics_error)
 }
 
 /// A tolerance that is not met is no bad input.
@@ -100,11 +104,14 @@ fn cloud(
 pub fn write(config: &Config, dir: &Path) -> Result<Vec<String>, CliError> {
     let folder = dir.join("optics");
     stratiform_artifact::create_folder(&folder)?;
-    let document = stratiform_optics::write(&config.optics, &ensembles(&config.optics)?, &folder).map_err(optics_error)?;
+    let document = stratiform_optics::write(&config.optics, &ensembles(&config.optics)?, &folder)
+        .map_err(optics_error)?;
     write_sphere(config, &folder)?;
     let mut files = vec!["optics/optics.json".to_owned(), "optics/sphere.csv".to_owned()];
     for w in &document.wavelengths {
-        files.extend([&w.phase_csv, &w.modified_phase_csv, &w.moments_csv].map(|file| format!("optics/{file}")));
+        files.extend(
+            [&w.phase_csv, &w.modified_phase_csv, &w.moments_csv].map(|file| format!("optics/{file}")),
+        );
     }
     Ok(files)
 }
@@ -136,8 +143,11 @@ pub fn read(config: &Config, dir: &Path) -> Result<(OpticsDocument, Cloud), CliE
     let folder = dir.join("optics");
     let document: OpticsDocument = read_json(&folder.join("optics.json"))?;
     let wavelength = config.transport.wavelength_um;
-    let one: &WavelengthOptics =
-        document.wavelengths.iter().find(|w| w.wavelength_um == wavelength).ok_or_else(|| missing(wavelength))?;
+    let one: &WavelengthOptics = document
+        .wavelengths
+        .iter()
+        .find(|w| w.wavelength_um == wavelength)
+        .ok_or_else(|| missing(wavelength))?;
     let phase = PhaseTable::read(&folder.join(&one.phase_csv), Norm::Strict).map_err(optics_error)?;
     let extinction = [one.extinction_per_m.paper, one.extinction_per_m.mie];
     let numbers = [one.asymmetry, one.forward_fraction.value];

@@ -110,7 +110,11 @@ impl Plan {
     ///
     /// # Errors
     /// [`CliError::Interrupted`], or [`CliError::Input`] for numbers out of domain.
-    pub fn trace(&self, media: &Media, progress: &(dyn Fn(u64) + Sync)) -> Result<Vec<TracedIncidence>, CliError> {
+    pub fn trace(
+        &self,
+        media: &Media,
+        progress: &(dyn Fn(u64) + Sync),
+    ) -> Result<Vec<TracedIncidence>, CliError> {
         let mut before = 0;
         let mut traced = Vec::new();
         for row in &self.rows {
@@ -232,7 +236,12 @@ pub fn points(config: &Config, traced: &TracedIncidence) -> Result<Vec<Reference
             ("r_3_plus", r_3_plus),
         ] {
             let tau = OpticalThickness::new(*tau)?;
-            points.push(ReferencePoint { incidence, tau, quantity: quantity.to_owned(), value: estimate.value });
+            points.push(ReferencePoint {
+                incidence,
+                tau,
+                quantity: quantity.to_owned(),
+                value: estimate.value,
+            });
         }
     }
     Ok(points)

@@ -10,8 +10,8 @@ use crate::output::Talk;
 use crate::progress;
 use std::path::Path;
 use stratiform_artifact::{
-    MediumRecord, OpticsDocument, OrdersRow, ParametersDocument, Provenance, create_folder, hash_of, read_csv, read_json,
-    write_csv, write_json,
+    MediumRecord, OpticsDocument, OrdersRow, ParametersDocument, Provenance, create_folder, hash_of,
+    read_csv, read_json, write_csv, write_json,
 };
 use stratiform_codegen::{Inputs, PhaseRow, PhaseTables, ReferencePoint};
 use stratiform_fit::Reference;
@@ -33,7 +33,9 @@ pub enum Target {
 pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<ParametersDocument, CliError> {
     let provenance = provenance(config);
     let mut work = Workspace::open(out, &config.title, provenance.clone(), talk)?;
-    work.stage("optics", &(&config.optics, config.transport.wavelength_um), |dir| optics::write(config, dir))?;
+    work.stage("optics", &(&config.optics, config.transport.wavelength_um), |dir| {
+        optics::write(config, dir)
+    })?;
     let (document, cloud) = optics::read(config, out)?;
     let plans = [Plan::nodes(config, &cloud), Plan::between(config, &cloud)];
     let inputs = (work.hash_of_stage("optics"), &plans, &config.transport);
@@ -45,9 +47,12 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
     if target == Target::Report {
         let before = [work.hash_of_stage("reference"), work.hash_of_stage("fit")];
         work.stage("codegen", &before, |dir| codegen(&parameters, &cloud, dir))?;
-        work.stage("convergence", &(&before, &config.convergence), |dir| convergence::write(config, &cloud, dir, talk))?;
+        work.stage("convergence", &(&before, &config.convergence), |dir| {
+            convergence::write(config, &cloud, dir, talk)
+        })?;
         work.stage("notes", &before, |dir| notes(config, &document, &cloud, &parameters, &provenance, dir))?;
-        let inputs = ["optics", "reference", "fit", "convergence", "notes"].map(|stage| work.hash_of_stage(stage));
+        let inputs =
+            ["optics", "reference", "fit", "convergence", "notes"].map(|stage| work.hash_of_stage(stage));
         work.stage("report", &inputs, report)?;
     }
     Ok(parameters)
@@ -60,7 +65,13 @@ fn provenance(config: &Config) -> Provenance {
     Provenance::new(hash, Some(config.transport.seed), method)
 }
 
-fn trace(config: &Config, cloud: &Cloud, plans: &[Plan; 2], dir: &Path, talk: Talk) -> Result<Vec<String>, CliError> {
+fn trace(
+    config: &Config,
+    cloud: &Cloud,
+    plans: &[Plan; 2],
+    dir: &Path,
+    talk: Talk,
+) -> Result<Vec<String>, CliError> {
     let media = Media::new(config, cloud)?;
     let bar = progress::bar(plans.iter().map(Plan::histories).sum(), "photons", talk.quiet);
     let nodes = plans[0].trace(&media, &|done| bar.set_position(done))?;
@@ -69,7 +80,9 @@ fn trace(config: &Config, cloud: &Cloud, plans: &[Plan; 2], dir: &Path, talk: Ta
     bar.finish_and_clear();
     let references: Vec<Reference> = nodes.iter().map(|traced| fit_reference(config, traced)).collect();
     let metres = config.fit.thickness_m.metres();
-    let rows = |traced: &[TracedIncidence]| traced.iter().flat_map(|t| orders_rows(t, &metres)).collect::<Vec<OrdersRow>>();
+    let rows = |traced: &[TracedIncidence]| {
+        traced.iter().flat_map(|t| orders_rows(t, &metres)).collect::<Vec<OrdersRow>>()
+    };
     let mut compared: Vec<ReferencePoint> = Vec::new();
     for traced in nodes.iter().chain(&between) {
         compared.extend(points(config, traced)?);

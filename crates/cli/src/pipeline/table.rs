@@ -55,11 +55,16 @@ pub fn parameter_table(document: &ParametersDocument) -> Result<String, CliError
         medium.asymmetry
     );
     let beta = document.metres.beta;
-    let _ = writeln!(text, "beta = {} (published {})\n", with_error(beta.value, beta.std_error), published::BETA);
+    let _ =
+        writeln!(text, "beta = {} (published {})\n", with_error(beta.value, beta.std_error), published::BETA);
     line(&mut text, "theta_l", ["b", "c (1/m)", "kappa_c (1/m)", "t", "r"].map(str::to_owned));
     let published = published::rows()?;
     for row in &document.metres.rows {
-        line(&mut text, &row.theta_l_deg.to_string(), [&row.b, &row.c, &row.kappa_c, &row.t, &row.r].map(cell));
+        line(
+            &mut text,
+            &row.theta_l_deg.to_string(),
+            [&row.b, &row.c, &row.kappa_c, &row.t, &row.r].map(cell),
+        );
         if let Some(theirs) = published.iter().find(|p| Some(p.theta_l_deg) == row.theta_l_deg.degrees()) {
             line(&mut text, "published", published_cells(theirs));
         }
