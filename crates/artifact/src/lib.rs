@@ -5,9 +5,11 @@
 
 mod atomic;
 mod convergence;
+mod curves;
 mod error;
 mod hash;
 mod json;
+mod notes;
 mod optics;
 mod orders;
 mod parameters;
@@ -16,9 +18,13 @@ mod table;
 
 pub use atomic::{create_folder, read_text, write_atomic};
 pub use convergence::ConvergenceRow;
+pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
 pub use hash::{hash_bytes, hash_of};
 pub use json::{read_json, to_json, write_json};
+pub use notes::{
+    AngularShares, CoarseTabulation, ModifiedBias, NotesDocument, PublishedMisfit, WavelengthShares,
+};
 pub use optics::{Extinction, ForwardFraction, OpticsDocument, ReachedError, SizeDensity, WavelengthOptics};
 pub use orders::{OrderResult, OrdersDocument, OrdersRow, TracedMedium};
 pub use parameters::{

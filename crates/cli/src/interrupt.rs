@@ -10,7 +10,7 @@ pub fn install() {
     let _ = ctrlc::set_handler(|| REQUESTED.store(true, Ordering::Relaxed));
 }
 
-/// Whether the user asked to stop.
-pub fn requested() -> bool {
-    REQUESTED.load(Ordering::Relaxed)
+/// The flag.
+pub fn flag() -> &'static AtomicBool {
+    &REQUESTED
 }

@@ -1,10 +1,25 @@
 //! Phase functions: one trait, and its implementations, one file each.
 
+mod cell;
+mod draine;
+mod expand;
+pub(crate) mod gauss;
 mod henyey_greenstein;
 mod isotropic;
+mod legendre;
+mod modified;
+mod peak;
+mod rayleigh;
+mod read;
+mod table;
 
+pub use draine::Draine;
 pub use henyey_greenstein::HenyeyGreenstein;
 pub use isotropic::Isotropic;
+pub use modified::Modified;
+pub use rayleigh::Rayleigh;
+pub use read::{PhaseRow, read_moments};
+pub use table::{NORM, Norm, PhaseTable};
 
 /// A phase function P with mean 1 over the sphere, as a probability law of v = 1 - cosΘ ∈ \[0, 2\].
 ///

@@ -1,0 +1,8 @@
+//! One file per command: from what was typed to what is printed.
+
+pub mod codegen;
+pub mod mie;
+pub mod optics;
+pub mod report;
+pub mod stages;
+pub mod trace;

@@ -1,0 +1,116 @@
+//! `stratiform trace`: Monte Carlo fluxes per order, as CSV or JSON.
+
+use crate::args::{Estimator, TraceArgs};
+use crate::medium::Medium;
+use crate::output::{Data, Talk};
+use crate::{CliError, pipeline, progress};
+use serde::Serialize;
+use stratiform_artifact::{OrderResult, OrdersDocument, Provenance, hash_of, to_csv, to_json};
+use stratiform_quantities::{Incidence, Medium as Kind, Order};
+use stratiform_transport::{Stop, TraceRequest, Traced};
+
+/// A row of the CSV.
+#[derive(Serialize)]
+struct Row {
+    tau: f64,
+    mu0: String,
+    medium: Kind,
+    order: String,
+    reflectance: f64,
+    reflectance_std_error: f64,
+    transmittance: f64,
+    transmittance_std_error: f64,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`CliError::Input`] for bad input; [`CliError::Failed`] if the error asked for was not reached.
+pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
+    let incidences = parse_incidences(&args.mu0)?;
+    let requests: Vec<_> = incidences.iter().map(|incidence| request(args, *incidence)).collect();
+    for request in &requests {
+        request.check().map_err(pipeline::trace_error)?;
+    }
+    let medium = Medium::parse(&args.medium)?;
+
+    let mut results = Vec::new();
+    let mut worst: f64 = 0.0;
+    for request in &requests {
+        let bar = progress::bar(args.photons, &format!("mu0 {}", request.incidence), talk.quiet);
+        let advanced = |done: u64, _total: u64| bar.set_position(done);
+        let control = pipeline::control(&advanced);
+        let traced = match args.estimator {
+            Estimator::HalfSpace => stratiform_transport::trace_half_space(medium.traced(), request, control),
+            Estimator::Plain => stratiform_transport::trace_plain(medium.traced(), request, control),
+        }
+        .map_err(pipeline::trace_error)?;
+        bar.finish_and_clear();
+        worst = worst.max(traced.worst_error());
+        results.extend(rows(args, request.incidence, &traced));
+    }
+    if let Some(target) = args.std_error.filter(|target| worst > *target) {
+        let photons = args.photons;
+        let message = format!(
+            "{photons} photons reach a standard error of {worst:.3e}, not {target:.3e}: raise --photons"
+        );
+        return Err(CliError::Failed(message));
+    }
+    render(args, &medium, results)
+}
+
+fn parse_incidences(words: &[String]) -> Result<Vec<Incidence>, CliError> {
+    words.iter().map(|word| word.parse().map_err(CliError::Input)).collect()
+}
+
+fn request(args: &TraceArgs, incidence: Incidence) -> TraceRequest {
+    let kind = if args.medium.modified.is_some() { Kind::Modified } else { Kind::Full };
+    let stop = match args.std_error {
+        Some(target) => Stop::StdError { target, max_photons: args.photons },
+        None => Stop::Photons(args.photons),
+    };
+    let stream = pipeline::stream_of(incidence, kind);
+    TraceRequest { tau: args.tau.clone(), incidence, stop, max_order: args.orders, seed: args.seed, stream }
+}
+
+fn rows(args: &TraceArgs, incidence: Incidence, traced: &Traced) -> Vec<OrderResult> {
+    let orders = |index: usize| Order::rows(args.orders).map(move |order| (index, order));
+    let row = |(index, order): (usize, Order)| {
+        let (reflectance, transmittance) = traced.estimate(index, order);
+        OrderResult { tau: args.tau[index], mu0: incidence, order, reflectance, transmittance }
+    };
+    (0..args.tau.len()).flat_map(orders).map(row).collect()
+}
+
+fn render(args: &TraceArgs, medium: &Medium, results: Vec<OrderResult>) -> Result<Data, CliError> {
+    if args.json {
+        let inputs = (medium.record(), &args.tau, &args.mu0, args.photons, args.std_error, args.orders);
+        let method = match args.estimator {
+            Estimator::HalfSpace => "half-space Monte Carlo; std_error is one standard deviation of the mean",
+            Estimator::Plain => {
+                "plain three-dimensional Monte Carlo; std_error is one standard deviation of the mean"
+            }
+        };
+        let document = OrdersDocument {
+            schema: OrdersDocument::SCHEMA.to_owned(),
+            medium: medium.record().clone(),
+            provenance: Provenance::new(hash_of(&inputs), Some(args.seed), method),
+            results,
+        };
+        return Ok(to_json(&document)?);
+    }
+    let rows: Vec<_> = results
+        .into_iter()
+        .map(|result| Row {
+            tau: result.tau,
+            mu0: result.mu0.to_string(),
+            medium: medium.record().medium,
+            order: result.order.to_string(),
+            reflectance: result.reflectance.value,
+            reflectance_std_error: result.reflectance.std_error,
+            transmittance: result.transmittance.value,
+            transmittance_std_error: result.transmittance.std_error,
+        })
+        .collect();
+    Ok(to_csv(&rows)?)
+}

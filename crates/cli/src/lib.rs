@@ -1,0 +1,49 @@
+//! The command `stratiform`: what is typed, the stages it calls, what it prints. The pipeline that ties the stages
+//! together is here too, as a library, so that tests can run it.
+
+pub mod args;
+mod commands;
+pub mod config;
+mod error;
+mod interrupt;
+mod medium;
+mod numbers;
+pub mod output;
+pub mod pipeline;
+mod progress;
+
+pub use args::Cli;
+pub use error::CliError;
+
+use args::Command;
+use output::{Data, Talk};
+
+/// Runs a command and returns what belongs on stdout.
+///
+/// # Errors
+/// [`CliError`], whose exit code says which kind.
+pub fn run(cli: &Cli) -> Result<Data, CliError> {
+    interrupt::install();
+    if let Some(threads) = cli.threads {
+        set_threads(threads)?;
+    }
+    let talk = Talk { quiet: cli.quiet };
+    match &cli.command {
+        Command::Mie(args) => commands::mie::run(args),
+        Command::Optics(args) => commands::optics::run(args, talk),
+        Command::Trace(args) => commands::trace::run(args, talk),
+        Command::Fit(args) => commands::stages::fit(args, talk),
+        Command::Codegen(args) => commands::codegen::run(args, talk),
+        Command::Reproduce(args) => commands::stages::reproduce(args, talk),
+        Command::Report(args) => commands::report::run(args, talk),
+    }
+}
+
+fn set_threads(threads: usize) -> Result<(), CliError> {
+    if !(1..=1024).contains(&threads) {
+        return Err(CliError::Input(format!("threads = {threads} is outside [1, 1024]")));
+    }
+    // A pool that exists already (a second call in one process) keeps its size: the numbers are the same.
+    let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    Ok(())
+}

@@ -1,0 +1,44 @@
+//! Appendix B of Bouthors, Neyret & Lefebvre 2006, as published.
+
+use crate::CliError;
+use std::path::Path;
+use stratiform_artifact::{PublishedRow, write_csv};
+use stratiform_model::Values;
+
+/// β, the same for every angle.
+pub const BETA: f64 = 0.9961;
+/// Share of the phase function below 5°, from 5° to 90°, beyond (section 3.3).
+pub const SHARES: [f64; 3] = [0.51, 0.48, 0.01];
+/// Who published it.
+pub const SOURCE: &str = "Bouthors, Neyret & Lefebvre, Real-time realistic illumination and shading of stratiform \
+                          clouds, Eurographics Workshop on Natural Phenomena 2006, appendix B";
+
+const TABLE: &str =
+    include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/bouthors-2006/appendix-b.csv"));
+
+/// The rows, by angle.
+///
+/// # Errors
+/// [`CliError::Input`] if the built-in table is damaged.
+pub fn rows() -> Result<Vec<PublishedRow>, CliError> {
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(TABLE.as_bytes());
+    reader
+        .deserialize()
+        .collect::<Result<_, _>>()
+        .map_err(|e| CliError::Input(format!("published table: {e}")))
+}
+
+/// The row's parameters, with κ_S per metre.
+pub fn values(row: &PublishedRow, kappa_s_per_m: f64) -> Values<f64> {
+    let PublishedRow { b, c_per_m, kappa_c_per_m, t, r, .. } = *row;
+    Values { beta: BETA, b, c: c_per_m, kappa_c: kappa_c_per_m, t, r, kappa_s: kappa_s_per_m }
+}
+
+/// Writes `published.csv`.
+///
+/// # Errors
+/// [`CliError::Input`] if it cannot be written.
+pub fn write(dir: &Path) -> Result<String, CliError> {
+    write_csv(&dir.join("published.csv"), &rows()?)?;
+    Ok("published.csv".to_owned())
+}

@@ -1,0 +1,52 @@
+//! What generation refuses.
+
+use stratiform_artifact::ArtifactError;
+use stratiform_model::ModelError;
+use stratiform_quantities::DomainError;
+
+/// Inputs that cannot be turned into code, or a folder that cannot be read or written.
+#[derive(Debug, thiserror::Error)]
+pub enum CodegenError {
+    /// A number outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// Parameters that the model refuses.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// A file.
+    #[error(transparent)]
+    Artifact(#[from] ArtifactError),
+    /// No row for diffuse light.
+    #[error("the parameter table has no row `diffuse`")]
+    NoDiffuseRow,
+    /// A row that is neither an angle nor diffuse.
+    #[error("theta_l_deg = `{word}` is neither a number nor `diffuse`")]
+    UnknownRow {
+        /// The word that stands there.
+        word: String,
+    },
+    /// Angles that do not reach from the zenith to the horizon.
+    #[error("the parameter table covers {first} to {last} degrees: it must cover 0 to 90")]
+    Uncovered {
+        /// Smallest angle, degrees.
+        first: f64,
+        /// Largest angle, degrees.
+        last: f64,
+    },
+    /// A phase table that cannot be used.
+    #[error("phase table `{table}`: {message}")]
+    Phase {
+        /// `full`, `modified` or `squared`.
+        table: &'static str,
+        /// What is wrong.
+        message: String,
+    },
+    /// A quantity that the model does not have.
+    #[error(
+        "reference quantity `{quantity}` is none of t_ms, r_ms, t_0, t_1, t_2, t_3_plus, r_1, r_2, r_3_plus"
+    )]
+    UnknownQuantity {
+        /// The name given.
+        quantity: String,
+    },
+}

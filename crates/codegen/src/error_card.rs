@@ -1,0 +1,96 @@
+//! How far the emitted table is from reference values: median, 95th percentile and worst absolute error.
+
+use crate::{
+    CodegenError, Inputs, QUANTITIES, ReferencePoint, diffuse_parameters, parameter_grid, tables::angles,
+};
+use stratiform_model::table::{ParameterGrid, cos_degrees};
+use stratiform_model::{Form, Parameters, Thickness};
+use stratiform_quantities::Incidence;
+
+/// The spread of a set of absolute errors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ErrorCard {
+    /// One of [`QUANTITIES`].
+    pub quantity: String,
+    /// Number of values.
+    pub count: usize,
+    /// Median.
+    pub median: f64,
+    /// 95th percentile.
+    pub percentile_95: f64,
+    /// Largest.
+    pub worst: f64,
+}
+
+/// Spread of `errors`, which need no order; nothing for none.
+pub(crate) fn spread(quantity: &str, mut errors: Vec<f64>) -> Option<ErrorCard> {
+    errors.sort_by(f64::total_cmp);
+    let at = |share: usize| errors.get(((errors.len() * share).div_ceil(100)).saturating_sub(1)).copied();
+    Some(ErrorCard {
+        quantity: quantity.to_owned(),
+        count: errors.len(),
+        median: at(50)?,
+        percentile_95: at(95)?,
+        worst: at(100)?,
+    })
+}
+
+/// Which reference points a card is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// At the table's angles.
+    Nodes,
+    /// Between them: interpolation error included.
+    Between,
+    /// In diffuse light.
+    Diffuse,
+}
+
+fn place(incidence: Incidence, nodes: &[f64]) -> Place {
+    match incidence {
+        Incidence::Diffuse => Place::Diffuse,
+        Incidence::Beam(mu) if nodes.iter().any(|node| (node - mu.get()).abs() < 1e-9) => Place::Nodes,
+        Incidence::Beam(_) => Place::Between,
+    }
+}
+
+struct Table {
+    grid: ParameterGrid<f64>,
+    diffuse: Parameters<f64>,
+}
+
+impl Table {
+    fn error(&self, point: &ReferencePoint) -> Result<f64, CodegenError> {
+        let parameters = match point.incidence {
+            Incidence::Beam(mu) => self.grid.at(mu.get())?,
+            Incidence::Diffuse => self.diffuse,
+        };
+        let fluxes = parameters.fluxes(Form::Corrected, Thickness::new(point.tau.get())?).named();
+        let model = fluxes.iter().find(|(name, _)| *name == point.quantity).map(|(_, value)| *value);
+        let unknown = || CodegenError::UnknownQuantity { quantity: point.quantity.clone() };
+        Ok((model.ok_or_else(unknown)? - point.value).abs())
+    }
+}
+
+/// The cards of the points at one place.
+pub(crate) fn cards(inputs: &Inputs, wanted: Place) -> Result<Vec<ErrorCard>, CodegenError> {
+    let optical = &inputs.parameters.optical;
+    let nodes: Vec<_> = angles(optical).iter().map(|angle| cos_degrees(angle.theta_l_deg)).collect();
+    let table = Table { grid: parameter_grid(optical)?, diffuse: diffuse_parameters(optical)? };
+    let mut cards = Vec::new();
+    for quantity in QUANTITIES {
+        let here = inputs.reference.iter().filter(|point| point.quantity == quantity);
+        let here = here.filter(|point| place(point.incidence, &nodes) == wanted);
+        let errors = here.map(|point| table.error(point)).collect::<Result<Vec<_>, _>>()?;
+        cards.extend(spread(quantity, errors));
+    }
+    Ok(cards)
+}
+
+/// Errors at the table's angles, between them, and in diffuse light.
+///
+/// # Errors
+/// [`CodegenError`] if the inputs are out of domain.
+pub fn error_card(inputs: &Inputs) -> Result<[Vec<ErrorCard>; 3], CodegenError> {
+    Ok([cards(inputs, Place::Nodes)?, cards(inputs, Place::Between)?, cards(inputs, Place::Diffuse)?])
+}

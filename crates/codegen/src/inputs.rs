@@ -1,0 +1,99 @@
+//! What code is generated from.
+
+use crate::{CodegenError, parameter_grid};
+use serde::{Deserialize, Serialize};
+use stratiform_artifact::ParametersDocument;
+use stratiform_quantities::{Incidence, OpticalThickness, Range};
+
+/// The fluxes, in the order in which they are emitted.
+pub const QUANTITIES: [&str; 9] = ["t_ms", "r_ms", "t_0", "t_1", "t_2", "t_3_plus", "r_1", "r_2", "r_3_plus"];
+
+/// A row of a phase table.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PhaseRow {
+    /// Θ in degrees.
+    pub theta_deg: f64,
+    /// P, with mean 1 over the sphere.
+    pub p: f64,
+}
+
+/// The three phase functions, piecewise linear in Θ between rows.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PhaseTables {
+    /// P of the full medium.
+    pub full: Vec<PhaseRow>,
+    /// P_S of the modified medium.
+    pub modified: Vec<PhaseRow>,
+    /// P_S convolved with itself on the sphere.
+    pub squared: Vec<PhaseRow>,
+}
+
+/// A flux that something else than the model computed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReferencePoint {
+    /// Beam or diffuse.
+    pub incidence: Incidence,
+    /// Optical thickness of the full medium.
+    pub tau: OpticalThickness,
+    /// One of [`QUANTITIES`].
+    pub quantity: String,
+    /// The flux.
+    pub value: f64,
+}
+
+/// Everything that the emitted text depends on.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Inputs {
+    /// The fitted parameters.
+    pub parameters: ParametersDocument,
+    /// The phase functions of the medium.
+    pub phase: PhaseTables,
+    /// Fluxes for the error card: at the table's angles, between them, and diffuse, in any order. May be empty.
+    pub reference: Vec<ReferencePoint>,
+}
+
+impl Inputs {
+    /// Hash of all of it.
+    pub fn hash(&self) -> String {
+        stratiform_artifact::hash_of(self)
+    }
+
+    pub(crate) fn check(&self) -> Result<(), CodegenError> {
+        let medium = &self.parameters.medium;
+        Range::above(0.0).check("extinction_per_m", medium.extinction_per_m)?;
+        Range { max_included: false, ..Range::closed(0.0, 1.0) }
+            .check("forward_fraction", medium.forward_fraction)?;
+        Range::closed(0.0, 180.0).check("theta_f_deg", medium.theta_f_deg)?;
+        parameter_grid::<f64>(&self.parameters.optical)?;
+        for (table, rows) in
+            [("full", &self.phase.full), ("modified", &self.phase.modified), ("squared", &self.phase.squared)]
+        {
+            check_phase(rows).map_err(|message| CodegenError::Phase { table, message })?;
+        }
+        match self.reference.iter().find(|point| !QUANTITIES.contains(&point.quantity.as_str())) {
+            Some(point) => Err(CodegenError::UnknownQuantity { quantity: point.quantity.clone() }),
+            None => Ok(()),
+        }
+    }
+}
+
+fn check_phase(rows: &[PhaseRow]) -> Result<(), String> {
+    let [first, .., last] = rows else {
+        return Err(format!("it has {} rows: at least 2 are needed", rows.len()));
+    };
+    if first.theta_deg != 0.0 || last.theta_deg != 180.0 {
+        return Err(format!(
+            "it covers {} to {} degrees: it must cover 0 to 180",
+            first.theta_deg, last.theta_deg
+        ));
+    }
+    for row in rows {
+        Range::closed(0.0, 180.0).check("theta_deg", row.theta_deg).map_err(|error| error.to_string())?;
+        Range::at_least(0.0).check("p", row.p).map_err(|error| error.to_string())?;
+    }
+    match rows.windows(2).find(|pair| pair[1].theta_deg < pair[0].theta_deg) {
+        Some(pair) => Err(format!("theta_deg = {} follows {}", pair[1].theta_deg, pair[0].theta_deg)),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,75 @@
+//! Writing the generated files, and finding out whether a folder still holds them.
+
+use crate::CodegenError;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::Path;
+use stratiform_artifact::{create_folder, write_atomic};
+
+/// The command that brings stale files up to date.
+pub const REGENERATE: &str = "stratiform codegen CONFIG";
+
+/// Lines of a difference that are shown.
+const SHOWN: usize = 12;
+
+/// A file that is not what would be generated now.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stale {
+    /// Its name.
+    pub file: String,
+    /// What differs, line by line.
+    pub diff: String,
+}
+
+impl fmt::Display for Stale {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is stale: run `{REGENERATE}`\n{}", self.file, self.diff)
+    }
+}
+
+/// Writes every file into `folder`, each whole or not at all.
+///
+/// # Errors
+/// [`CodegenError::Artifact`] if the folder or a file cannot be written.
+pub fn write(files: &BTreeMap<String, String>, folder: &Path) -> Result<(), CodegenError> {
+    create_folder(folder)?;
+    for (name, text) in files {
+        write_atomic(&folder.join(name), text.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// The files in `folder` that differ from `files`, or cannot be read.
+///
+/// # Errors
+/// All of them, if there are any.
+pub fn check(files: &BTreeMap<String, String>, folder: &Path) -> Result<(), Vec<Stale>> {
+    let stale = |(name, text): (&String, &String)| {
+        let diff = match std::fs::read(folder.join(name)) {
+            Ok(bytes) if bytes == text.as_bytes() => return None,
+            Ok(bytes) => difference(&String::from_utf8_lossy(&bytes), text),
+            Err(error) => format!("cannot read it: {error}\n"),
+        };
+        Some(Stale { file: name.clone(), diff })
+    };
+    let all: Vec<_> = files.iter().filter_map(stale).collect();
+    if all.is_empty() { Ok(()) } else { Err(all) }
+}
+
+/// The lines between the common start and the common end: `-` what stands there, `+` what belongs there.
+fn difference(found: &str, expected: &str) -> String {
+    let (old, new): (Vec<_>, Vec<_>) = (found.split('\n').collect(), expected.split('\n').collect());
+    let start = old.iter().zip(&new).take_while(|(a, b)| a == b).count();
+    let rest = old[start..].iter().rev().zip(new[start..].iter().rev());
+    let end = rest.take_while(|(a, b)| a == b).count();
+    let mut text = format!("@@ line {} @@\n", start + 1);
+    for (sign, lines) in [('-', &old[start..old.len() - end]), ('+', &new[start..new.len() - end])] {
+        for line in lines.iter().take(SHOWN) {
+            text.push_str(&format!("{sign}{line}\n"));
+        }
+        if lines.len() > SHOWN {
+            text.push_str(&format!("{sign}... {} more lines\n", lines.len() - SHOWN));
+        }
+    }
+    text
+}

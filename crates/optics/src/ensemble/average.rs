@@ -1,0 +1,140 @@
+//! Sums over radii, and the radii themselves.
+//!
+//! r = s² with s equidistant: sizes are sampled more densely, in x, where there are many. Both ends of the range
+//! carry next to no weight, so that the trapezoid rule converges as fast as the integrand is smooth. Halving the
+//! step keeps every radius used before.
+
+use super::kernel::{self, Sphere};
+use crate::droplets::SizeDistribution;
+use crate::mie::{Coefficients, RefractiveIndex, SizeParameter, efficiencies};
+use rayon::prelude::*;
+use std::f64::consts::PI;
+
+/// A radius in µm with its weight n(r) dr/ds.
+type Node = (f64, f64);
+
+/// The nested radii of one distribution.
+pub(super) struct Radii<'a> {
+    droplets: &'a SizeDistribution,
+    cells: usize,
+}
+
+impl<'a> Radii<'a> {
+    /// Fewer radii are not believed, however well they agree.
+    pub(super) const FEWEST: u64 = 512;
+    const FIRST: usize = 128;
+
+    pub(super) fn new(droplets: &'a SizeDistribution) -> Self {
+        Self { droplets, cells: Self::FIRST }
+    }
+
+    pub(super) fn count(&self) -> u64 {
+        self.cells as u64
+    }
+
+    fn ends(&self) -> [f64; 2] {
+        self.droplets.scattering_range().map(f64::sqrt)
+    }
+
+    /// The step in s; 1 for a single size, whose only weight is 1.
+    pub(super) fn step(&self) -> f64 {
+        let [low, high] = self.ends();
+        if self.droplets.single_radius().is_some() { 1.0 } else { (high - low) / self.cells as f64 }
+    }
+
+    fn node(&self, s: f64, share: f64) -> Node {
+        (s * s, 2.0 * s * share * self.droplets.density(s * s))
+    }
+
+    /// The coarsest rule's radii.
+    pub(super) fn first(&self) -> Vec<Node> {
+        if let Some(radius) = self.droplets.single_radius() {
+            return vec![(radius, 1.0)];
+        }
+        let ([low, _], step) = (self.ends(), self.step());
+        let share = |i: usize| if i == 0 || i == self.cells { 0.5 } else { 1.0 };
+        (0..=self.cells).map(|i| self.node(low + step * i as f64, share(i))).collect()
+    }
+
+    /// Halves the step and returns the radii that come in between.
+    pub(super) fn halve(&mut self) -> Vec<Node> {
+        self.cells *= 2;
+        let ([low, _], step) = (self.ends(), self.step());
+        (0..self.cells / 2).map(|i| self.node(low + step * (2 * i + 1) as f64, 1.0)).collect()
+    }
+}
+
+/// Sums of n(r) dr/ds times cross-sections and intensities; the common factor ds is left out.
+#[derive(Clone, Debug)]
+pub(super) struct Average {
+    extinction: f64,
+    scattering: f64,
+    forward: f64,
+    /// Σ|S1+S2|² at each angle.
+    plus: Vec<f64>,
+    /// Σ|S1-S2|² at each angle's supplement.
+    minus: Vec<f64>,
+}
+
+impl Average {
+    pub(super) fn new(angles: &[f64]) -> Self {
+        let zeros = vec![0.0; angles.len()];
+        Self { extinction: 0.0, scattering: 0.0, forward: 0.0, plus: zeros.clone(), minus: zeros }
+    }
+
+    /// Adds the radii `nodes`. Blocks of them are independent and added in their order.
+    pub(super) fn add(&mut self, nodes: &[Node], wave_number: f64, index: RefractiveIndex, angles: &[f64]) {
+        let cosines = kernel::Cosines::new(angles);
+        let blocks: Vec<Self> = nodes
+            .par_chunks(kernel::BLOCK)
+            .map(|block| Self::of_block(block, wave_number, index, &cosines))
+            .collect();
+        blocks.iter().for_each(|block| self.merge(block));
+    }
+
+    fn of_block(block: &[Node], wave_number: f64, index: RefractiveIndex, cosines: &kernel::Cosines) -> Self {
+        let mut sum =
+            Self { extinction: 0.0, scattering: 0.0, forward: 0.0, plus: Vec::new(), minus: Vec::new() };
+        let mut spheres = Vec::with_capacity(block.len());
+        for &(radius, weight) in block {
+            // The range was checked; its square root may come back a rounding error outside.
+            let Ok(x) = SizeParameter::new(wave_number * radius) else { continue };
+            let coefficients = Coefficients::new(x, index);
+            let q = efficiencies(x, &coefficients);
+            let area = weight * PI * radius * radius;
+            sum.extinction += area * q.q_ext;
+            sum.scattering += area * q.q_sca;
+            sum.forward += area * q.q_sca * q.g;
+            spheres.push(Sphere::new(&coefficients, weight));
+        }
+        (sum.plus, sum.minus) = kernel::intensities(&spheres, cosines);
+        sum
+    }
+
+    fn merge(&mut self, other: &Self) {
+        self.extinction += other.extinction;
+        self.scattering += other.scattering;
+        self.forward += other.forward;
+        self.plus.iter_mut().zip(&other.plus).for_each(|(sum, part)| *sum += part);
+        self.minus.iter_mut().zip(&other.minus).for_each(|(sum, part)| *sum += part);
+    }
+
+    pub(super) fn extinction(&self) -> f64 {
+        self.extinction
+    }
+
+    pub(super) fn albedo(&self) -> f64 {
+        (self.scattering / self.extinction).min(1.0)
+    }
+
+    pub(super) fn asymmetry(&self) -> f64 {
+        self.forward / self.scattering
+    }
+
+    /// P at each angle: (|S1|² + |S2|²)/2 = (|S1+S2|² + |S1-S2|²)/4.
+    pub(super) fn phase(&self, wave_number: f64) -> Vec<f64> {
+        let factor = PI / (wave_number * wave_number * self.scattering);
+        let pairs = self.plus.iter().zip(self.minus.iter().rev());
+        pairs.map(|(plus, minus)| factor * (plus + minus)).collect()
+    }
+}

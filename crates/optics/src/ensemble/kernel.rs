@@ -1,0 +1,108 @@
+//! The intensities of many spheres at many angles, as one blocked matrix product.
+//!
+//! With p_n = π_n + τ_n and c_n = (2n+1)/(n(n+1)), S1+S2 = Σ c_n(a_n+b_n)p_n(μ), and because
+//! π_n - τ_n at μ is (-1)^{n-1}p_n(-μ), S1-S2 = Σ (-1)^{n-1}c_n(a_n-b_n)p_n(-μ). On a grid symmetric about 90° one
+//! matrix p therefore serves both sums: per sphere, order and angle four products. A tile of
+//! [`LANES`] angles holds p for all orders while the spheres of a block pass. Sums run in a fixed order without fused
+//! multiply-add, so that every instruction set gives the same bits.
+
+use crate::mie::Coefficients;
+
+/// Spheres that share a pass over the angles.
+pub(super) const BLOCK: usize = 32;
+
+/// Angles of a tile.
+const LANES: usize = 16;
+
+/// Four real coefficients per order: c_n(a_n+b_n) and (-1)^{n-1}c_n(a_n-b_n).
+pub(super) struct Sphere {
+    orders: Vec<[f64; 4]>,
+    weight: f64,
+}
+
+impl Sphere {
+    pub(super) fn new(coefficients: &Coefficients, weight: f64) -> Self {
+        let pairs = coefficients.a.iter().zip(&coefficients.b);
+        let orders = pairs.enumerate().map(|(i, (a, b))| {
+            let n = (i + 1) as f64;
+            let c = (2.0 * n + 1.0) / (n * (n + 1.0));
+            let sign = if i % 2 == 0 { c } else { -c };
+            let (plus, minus) = ((a + b) * c, (a - b) * sign);
+            [plus.re, plus.im, minus.re, minus.im]
+        });
+        Self { orders: orders.collect(), weight }
+    }
+}
+
+/// cosΘ of a symmetric grid, padded to whole tiles.
+pub(super) struct Cosines {
+    tiles: Vec<[f64; LANES]>,
+    count: usize,
+}
+
+impl Cosines {
+    pub(super) fn new(theta_deg: &[f64]) -> Self {
+        let cosine = |t: f64| if t == 90.0 { 0.0 } else { libm::cos(t.to_radians()) };
+        let symmetric = |t: &f64| if *t > 90.0 { -cosine(180.0 - t) } else { cosine(*t) };
+        let all: Vec<f64> = theta_deg.iter().map(symmetric).collect();
+        let tile = |chunk: &[f64]| {
+            let mut lanes = [0.0; LANES];
+            lanes[..chunk.len()].copy_from_slice(chunk);
+            lanes
+        };
+        Self { tiles: all.chunks(LANES).map(tile).collect(), count: all.len() }
+    }
+}
+
+/// Σ weight·|S1+S2|² at each angle, and Σ weight·|S1-S2|² at each angle's supplement.
+pub(super) fn intensities(spheres: &[Sphere], cosines: &Cosines) -> (Vec<f64>, Vec<f64>) {
+    let orders = spheres.iter().map(|sphere| sphere.orders.len()).max().unwrap_or(0);
+    let mut rows = vec![[0.0; LANES]; orders];
+    let (mut plus, mut minus) = (Vec::new(), Vec::new());
+    for mu in &cosines.tiles {
+        angular_functions(mu, &mut rows);
+        let [mut p, mut m] = [[0.0; LANES]; 2];
+        for sphere in spheres {
+            add_intensity(sphere, &rows, &mut p, &mut m);
+        }
+        plus.extend(p);
+        minus.extend(m);
+    }
+    plus.truncate(cosines.count);
+    minus.truncate(cosines.count);
+    (plus, minus)
+}
+
+/// `rows[n-1]` = π_n + τ_n at every angle of a tile.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn angular_functions(mu: &[f64; LANES], rows: &mut [[f64; LANES]]) {
+    let (mut pi, mut before) = ([1.0; LANES], [0.0; LANES]);
+    for (i, row) in rows.iter_mut().enumerate() {
+        let n = (i + 1) as f64;
+        let growth = (n + 1.0) / n;
+        for l in 0..LANES {
+            let s = mu[l] * pi[l];
+            let t = s - before[l];
+            row[l] = pi[l] + (n * t - before[l]);
+            before[l] = pi[l];
+            pi[l] = s + growth * t;
+        }
+    }
+}
+
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn add_intensity(sphere: &Sphere, rows: &[[f64; LANES]], plus: &mut [f64; LANES], minus: &mut [f64; LANES]) {
+    let [mut pr, mut pi, mut mr, mut mi] = [[0.0; LANES]; 4];
+    for (c, row) in sphere.orders.iter().zip(rows) {
+        for l in 0..LANES {
+            pr[l] += c[0] * row[l];
+            pi[l] += c[1] * row[l];
+            mr[l] += c[2] * row[l];
+            mi[l] += c[3] * row[l];
+        }
+    }
+    for l in 0..LANES {
+        plus[l] += sphere.weight * (pr[l] * pr[l] + pi[l] * pi[l]);
+        minus[l] += sphere.weight * (mr[l] * mr[l] + mi[l] * mi[l]);
+    }
+}

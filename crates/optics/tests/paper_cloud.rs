@@ -1,0 +1,103 @@
+//! The paper's cloud and Deirmendjian's C1, from droplets to files.
+
+use std::f64::consts::PI;
+use std::path::PathBuf;
+use stratiform_optics::OpticsConfig;
+use stratiform_optics::phase::{Norm, PhaseFunction, PhaseTable, read_moments};
+use stratiform_optics::{compute, load_or_compute, write};
+
+const PAPER: &str = r#"
+    number_density_per_cm3 = 300.0
+    wavelengths_um = [0.65, 0.55, 0.45]
+    refractive_index = "hale-querry-1973"
+    theta_f_deg = 5.0
+    [droplets]
+    distribution = "modified-gamma"
+    gamma = 2.0
+    effective_radius_um = 7.0
+"#;
+
+const C1: &str = r#"
+    number_density_per_cm3 = 100.0
+    wavelengths_um = [0.70]
+    refractive_index = [1.33, 0.0]
+    [droplets]
+    distribution = "generalised-gamma"
+    alpha = 6.0
+    b = 1.5
+    c = 1.0
+"#;
+
+fn config(text: &str) -> OpticsConfig {
+    toml::from_str(text).unwrap()
+}
+
+fn reference(file: &str) -> PathBuf {
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/")).join(file)
+}
+
+/// The converged values printed for the example; g to its printed digit and the quadrature's 2e-4.
+#[test]
+fn the_papers_cloud_is_the_converged_one() {
+    let expected = [
+        // g, P_f(5°), share beyond 90°, mie extinction
+        (0.850, 0.443, 0.042, 0.0366),
+        (0.853, 0.455, 0.041, 0.0368),
+        (0.857, 0.466, 0.040, 0.0371),
+    ];
+    for (one, (g, forward, backward, _)) in compute(&config(PAPER)).unwrap().iter().zip(expected) {
+        println!(
+            "{} {:?} {} {} {}",
+            one.wavelength_um,
+            one.extinction,
+            one.asymmetry,
+            one.phase.asymmetry(),
+            1.0 - one.phase.cumulative_at(PI / 2.0)
+        );
+        assert!((one.asymmetry - g).abs() < 7e-4, "{}", one.asymmetry);
+        assert!((one.phase.asymmetry() - one.asymmetry).abs() < 2e-4, "{}", one.phase.asymmetry());
+        assert!((one.forward_fraction - forward).abs() < 6e-4, "{}", one.forward_fraction);
+        let share = 1.0 - one.phase.cumulative_at(PI / 2.0);
+        assert!((share - backward).abs() < 6e-4, "{share}");
+        assert!((one.extinction.paper - 0.046181).abs() < 1e-6, "{:?}", one.extinction);
+        assert!(one.single_scattering_albedo <= 1.0 && one.single_scattering_albedo > 0.99999);
+    }
+}
+
+#[test]
+fn deirmendjians_c1_is_as_published() {
+    let ensembles = compute(&config(C1)).unwrap();
+    let one = &ensembles[0];
+    assert!((one.asymmetry - 0.848).abs() < 5e-4, "{}", one.asymmetry);
+    let text = std::fs::read_to_string(reference("deirmendjian-c1/phase.csv")).unwrap();
+    for line in text.lines().skip(1) {
+        let (theta, p) = line.split_once(',').unwrap();
+        let (theta, p): (f64, f64) = (theta.parse().unwrap(), p.parse().unwrap());
+        let ratio = one.phase.at(theta.to_radians()) / p;
+        let bound = if theta < 30.0 { 1e-3 } else { 0.02 };
+        println!("{theta} {ratio}");
+        assert!((ratio - 1.0).abs() < bound, "{theta}: {ratio}");
+    }
+}
+
+#[test]
+fn files_hold_what_was_computed() {
+    let dir = tempfile::tempdir().unwrap();
+    let config = config(&C1.replace("0.70", "1.6"));
+    let ensembles = load_or_compute(&config, &dir.path().join("cache")).unwrap();
+    let document = write(&config, &ensembles, dir.path()).unwrap();
+    let one = &document.wavelengths[0];
+    let read = PhaseTable::read(&dir.path().join(&one.phase_csv), Norm::Strict).unwrap();
+    assert_eq!(read, ensembles[0].phase);
+    let modified = PhaseTable::read(&dir.path().join(&one.modified_phase_csv), Norm::Strict).unwrap();
+    assert_eq!(modified, ensembles[0].phase.modified(5.0).unwrap());
+    let moments = read_moments(&dir.path().join(&one.moments_csv)).unwrap();
+    assert!((moments[1] - one.asymmetry).abs() < 2e-4);
+
+    let entry = std::fs::read_dir(dir.path().join("cache")).unwrap().next().unwrap().unwrap().path();
+    assert_eq!(load_or_compute(&config, &dir.path().join("cache")).unwrap(), ensembles);
+    let intact = std::fs::read_to_string(&entry).unwrap();
+    std::fs::write(&entry, intact.replacen("0.9", "0.8", 1)).unwrap();
+    assert_eq!(load_or_compute(&config, &dir.path().join("cache")).unwrap(), ensembles);
+    assert_eq!(std::fs::read_to_string(&entry).unwrap(), intact);
+}

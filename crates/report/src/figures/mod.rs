@@ -1,0 +1,22 @@
+//! The figures, one file each. A figure is data in [`crate::chart`] terms; what its inputs lack, it lacks.
+
+mod convergence;
+mod droplets;
+mod misfit;
+mod orders;
+mod parameters;
+mod phase;
+
+use crate::chart::Figure;
+use crate::input::Inputs;
+pub use orders::chosen_angles;
+
+/// All figures that the inputs allow, in the order of the page.
+pub fn all(inputs: &Inputs) -> Vec<Figure> {
+    let mut figures = vec![droplets::figure(&inputs.optics), phase::figure(inputs)];
+    figures.extend(chosen_angles(&inputs.orders).into_iter().map(|theta| orders::figure(inputs, theta)));
+    figures.push(parameters::figure(inputs));
+    figures.push(misfit::figure(inputs));
+    figures.extend(inputs.convergence.as_deref().map(convergence::figure));
+    figures
+}
