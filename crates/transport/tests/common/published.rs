@@ -5,7 +5,7 @@
 use super::hg;
 use std::path::Path;
 use std::sync::Arc;
-use stratiform_optics::phase::{Isotropic, PhaseFunction};
+use stratiform_optics::phase::{Isotropic, PhaseFunction, PhaseTable, Rayleigh};
 use stratiform_quantities::Incidence;
 
 pub struct Published {
@@ -21,7 +21,7 @@ pub struct Published {
 /// All cases of both sources.
 pub fn published() -> Vec<Published> {
     let van_de_hulst = rows("van-de-hulst-1980/fluxes.csv").into_iter().map(van_de_hulst);
-    van_de_hulst.chain(rows("disort-tests/fluxes.csv").into_iter().filter_map(disort)).collect()
+    van_de_hulst.chain(rows("disort-tests/fluxes.csv").into_iter().map(disort)).collect()
 }
 
 fn rows(file: &str) -> Vec<Vec<String>> {
@@ -48,23 +48,32 @@ fn van_de_hulst(row: Vec<String>) -> Published {
 }
 
 /// case, phase, tau, omega, mu0, incident flux, flux up at the top, direct and diffuse flux down at the bottom.
-fn disort(row: Vec<String>) -> Option<Published> {
+fn disort(row: Vec<String>) -> Published {
     let incident = number(&row[5]);
-    Some(Published {
+    Published {
         name: format!("DISORT {}", row[0]),
-        phase: phase(&row[1])?,
+        phase: phase(&row[1]),
         tau: number(&row[2]),
         omega: number(&row[3]),
         incidence: row[4].parse().unwrap(),
         reflectance: number(&row[6]) / incident,
         transmittance: (number(&row[7]) + number(&row[8])) / incident,
-    })
+    }
 }
 
-fn phase(name: &str) -> Option<Arc<dyn PhaseFunction>> {
+fn phase(name: &str) -> Arc<dyn PhaseFunction> {
     match name.split_once(':') {
-        None if name == "isotropic" => Some(Arc::new(Isotropic)),
-        Some(("hg", g)) => Some(hg(number(g))),
-        _ => None,
+        None if name == "isotropic" => Arc::new(Isotropic),
+        None if name == "rayleigh" => Arc::new(Rayleigh),
+        Some(("hg", g)) => hg(number(g)),
+        Some(("moments", file)) => Arc::new(from_coefficients(file)),
+        _ => panic!("phase function `{name}`"),
     }
+}
+
+/// From the columns l, beta_l = (2l+1)χ_l.
+fn from_coefficients(file: &str) -> PhaseTable {
+    let rows = rows(&format!("disort-tests/{file}"));
+    let chi: Vec<f64> = rows.iter().map(|row| number(&row[1]) / (2.0 * number(&row[0]) + 1.0)).collect();
+    PhaseTable::from_moments(&chi).unwrap()
 }
