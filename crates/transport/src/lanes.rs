@@ -132,3 +132,25 @@ fn output(state: u64) -> u32 {
     let shifted = (((state >> 18) ^ state) >> 27) as u32;
     shifted.rotate_right((state >> 59) as u32)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::Rng;
+    use stratiform_stats::{Purpose, key, photon_stream};
+
+    #[test]
+    fn every_lane_continues_its_generator() {
+        let mut lanes = Lanes::parked();
+        let stream = |lane| photon_stream(key(1, Purpose::Calibration), lane as u64);
+        let mut streams: Vec<Pcg32> = (0..LANES).map(stream).collect();
+        for (lane, rng) in streams.iter_mut().enumerate() {
+            rng.next_u32();
+            lanes.place(lane, rng, 1.0, 0.0, 1.0);
+        }
+        for _ in 0..1000 {
+            let words = lanes.draw();
+            assert!(streams.iter_mut().zip(words).all(|(rng, word)| rng.next_u32() == word));
+        }
+    }
+}
