@@ -110,6 +110,9 @@ pub struct MediumArgs {
     /// isotropic | rayleigh | hg:G | draine:G,ALPHA | moments:FILE | table:FILE | config:FILE.
     #[arg(long, value_name = "PHASE")]
     pub phase: String,
+    /// Divide a phase table by its norm even if that is off by more than 1e-3.
+    #[arg(long)]
+    pub renormalise: bool,
     /// Single-scattering albedo; default 1, or what config:FILE says.
     #[arg(long, value_parser = finite)]
     pub omega: Option<f64>,
@@ -169,8 +172,10 @@ pub struct TraceArgs {
 
 /// `stratiform fit` and `stratiform reproduce`.
 #[derive(Debug, Args)]
-#[command(after_help = "Example: stratiform reproduce fit-configs/appendix-b.toml --out out/appendix-b\nStages whose \
-                        inputs are unchanged are not run again.")]
+#[command(
+    after_help = "Example: stratiform reproduce fit-configs/appendix-b.toml --out out/appendix-b\nStages whose \
+                        inputs are unchanged are not run again."
+)]
 pub struct StageArgs {
     /// The fit-config (TOML).
     pub config: PathBuf,

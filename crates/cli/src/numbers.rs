@@ -30,7 +30,8 @@ pub fn finite(text: &str) -> Result<f64, String> {
 /// # Errors
 /// A message naming the value.
 pub fn pair(text: &str) -> Result<[f64; 2], String> {
-    let (a, b) = text.split_once(',').ok_or_else(|| format!("`{text}` is not two numbers with a comma between"))?;
+    let (a, b) =
+        text.split_once(',').ok_or_else(|| format!("`{text}` is not two numbers with a comma between"))?;
     Ok([finite(a)?, finite(b)?])
 }
 

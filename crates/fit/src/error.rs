@@ -1,5 +1,6 @@
 //! What a fit can refuse.
 
+use stratiform_model::ModelError;
 use stratiform_quantities::DomainError;
 
 /// An input that cannot be fitted.
@@ -24,6 +25,15 @@ pub enum FitError {
     /// The optimiser itself failed.
     #[error("the optimiser failed: {0}")]
     Optimiser(String),
+}
+
+impl From<ModelError> for FitError {
+    fn from(error: ModelError) -> Self {
+        match error {
+            ModelError::Domain(domain) => Self::Domain(domain),
+            other => Self::Inconsistent(other.to_string()),
+        }
+    }
 }
 
 impl FitError {

@@ -1,10 +1,31 @@
-//! From reference fluxes to the parameters of the one-dimensional model: bounded least squares, error propagation,
-//! identifiability.
+//! From reference fluxes to the parameters of the one-dimensional model.
+//!
+//! * [`least_squares`]: bounded Levenberg–Marquardt on [`argmin`], for any problem.
+//! * [`fit`]: β, b, c from the totals of the full medium, κ_c, t, r from the orders of the modified one, at uniform absolute
+//!   weight on the config's thickness grid. The weights do not follow the reference's noise, because the model is not the
+//!   truth: where it fails, better data must not change what is fitted. The noise enters the errors only.
+//! * [`compare`]: whether two fits agree within their errors.
+//!
+//! Thickness is optical thickness of the full medium throughout; the document carries metres beside it.
 
+mod compare;
+mod config;
+mod document;
 mod error;
+mod identifiable;
 pub mod least_squares;
 mod matrix;
+mod multiple;
+mod orders;
+mod orders_fit;
 mod qr;
+mod reference;
+mod sandwich;
+mod totals_fit;
 
+pub use compare::{Comparison, Deviation, compare};
+pub use config::{FitConfig, ParameterBounds, ThicknessGrid};
+pub use document::{csv_rows, fit};
 pub use error::FitError;
 pub use matrix::Matrix;
+pub use reference::{ORDERS, Reference};

@@ -1,1 +1,47 @@
-//! Placeholder.
+//! One compute dispatch on the first graphics adapter: bytes in, bytes out.
+//!
+//! For tests that hold emitted shaders against the f64 model, and for tracers on the device. No window, no
+//! display. Any Vulkan driver serves, software ones included; which one answered is [`Gpu::adapter`].
+//!
+//! Mesa's software driver stops loops silently after 65535 iterations per invocation, summed over all its loops:
+//! keep dispatches short and count in the shader what was done.
+
+mod dispatch;
+mod error;
+
+pub use error::GpuError;
+
+use pollster::block_on;
+
+/// A device and its queue.
+pub struct Gpu {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    adapter: String,
+}
+
+impl Gpu {
+    /// Opens the adapter that the system prefers.
+    ///
+    /// # Errors
+    /// [`GpuError::NoAdapter`] if there is none, [`GpuError::Device`] if it cannot be opened.
+    pub fn new() -> Result<Self, GpuError> {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            ..Default::default()
+        };
+        let none = |error: wgpu::RequestAdapterError| GpuError::NoAdapter { reason: error.to_string() };
+        let adapter = block_on(instance.request_adapter(&options)).map_err(none)?;
+        let info = adapter.get_info();
+        let closed = |error: wgpu::RequestDeviceError| GpuError::Device { reason: error.to_string() };
+        let (device, queue) =
+            block_on(adapter.request_device(&wgpu::DeviceDescriptor::default())).map_err(closed)?;
+        Ok(Self { device, queue, adapter: format!("{} ({}, {})", info.name, info.backend, info.driver_info) })
+    }
+
+    /// Name, backend and driver version of the adapter.
+    pub fn adapter(&self) -> &str {
+        &self.adapter
+    }
+}

@@ -15,8 +15,9 @@
 //!   κ_S are per that unit, and β is T_ms at thickness 1.
 //! * **Medium.** κ_S belongs to the modified medium, in which the orders are counted.
 //! * **Printed and corrected.** [`Form::AsPrinted`] keeps the paper's slip in T_2b, [`Form::Corrected`] mends it.
-//! * **Accuracy.** Nothing cancels from optical thickness 1e-8 to 1e4: relative error about (4 + x) ε with ε the
-//!   machine epsilon of f32 or f64, for T_3+ and R_3+ relative to the largest term of the difference.
+//! * **Accuracy.** Nothing cancels from optical thickness 1e-8 to 1e4: relative error below (6 + 4 X) ε, with ε the
+//!   machine epsilon of f32 or f64 and X the longest path κ_S H/μ_l or κ_c H whose exponential is taken; for T_3+,
+//!   R_3+ (and R_ms where b > 1) relative to the largest term of the difference.
 //! * **Domain.** [`Parameters`] and [`Thickness`] refuse what lies outside. Results are never clamped: a value
 //!   that no flux can have is found by [`problems`].
 

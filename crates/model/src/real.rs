@@ -34,7 +34,7 @@ pub trait Real:
 impl Real for f64 {
     const TAIL_TERMS: u32 = 17;
     const E1_TERMS: u32 = 18;
-    const E3_DEPTH: u32 = 80;
+    const E3_DEPTH: u32 = 100;
 
     fn of(value: f64) -> Self {
         value

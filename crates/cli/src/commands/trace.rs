@@ -3,10 +3,10 @@
 use crate::args::{Estimator, TraceArgs};
 use crate::medium::Medium;
 use crate::output::{Data, Talk};
-use crate::{CliError, interrupt, pipeline, progress};
+use crate::{CliError, pipeline, progress};
 use serde::Serialize;
 use stratiform_artifact::{OrderResult, OrdersDocument, Provenance, hash_of, to_csv, to_json};
-use stratiform_quantities::{Incidence, Order};
+use stratiform_quantities::{Incidence, Medium as Kind, Order};
 use stratiform_transport::{Stop, TraceRequest, Traced};
 
 /// A row of the CSV.
@@ -14,7 +14,7 @@ use stratiform_transport::{Stop, TraceRequest, Traced};
 struct Row {
     tau: f64,
     mu0: String,
-    medium: stratiform_quantities::Medium,
+    medium: Kind,
     order: String,
     reflectance: f64,
     reflectance_std_error: f64,
@@ -32,8 +32,8 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
     for request in &requests {
         request.check().map_err(pipeline::trace_error)?;
     }
-    let medium = Medium::parse(&args.medium, talk)?;
-    let trace_medium = medium.trace_medium()?;
+    let medium = Medium::parse(&args.medium)?;
+
     let mut results = Vec::new();
     let mut worst: f64 = 0.0;
     for request in &requests {
@@ -41,18 +41,19 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
         let advanced = |done: u64, _total: u64| bar.set_position(done);
         let control = pipeline::control(&advanced);
         let traced = match args.estimator {
-            Estimator::HalfSpace => stratiform_transport::trace_half_space(&trace_medium, request, control),
-            Estimator::Plain => stratiform_transport::trace_plain(&trace_medium, request, control),
+            Estimator::HalfSpace => stratiform_transport::trace_half_space(medium.traced(), request, control),
+            Estimator::Plain => stratiform_transport::trace_plain(medium.traced(), request, control),
         }
         .map_err(pipeline::trace_error)?;
         bar.finish_and_clear();
         worst = worst.max(traced.worst_error());
         results.extend(rows(args, request.incidence, &traced));
     }
-    debug_assert!(!interrupt::requested(), "an interrupted trace returns an error");
     if let Some(target) = args.std_error.filter(|target| worst > *target) {
         let photons = args.photons;
-        let message = format!("{photons} photons reach a standard error of {worst:.3e}, not {target:.3e}: raise --photons");
+        let message = format!(
+            "{photons} photons reach a standard error of {worst:.3e}, not {target:.3e}: raise --photons"
+        );
         return Err(CliError::Failed(message));
     }
     render(args, &medium, results)
@@ -63,11 +64,12 @@ fn parse_incidences(words: &[String]) -> Result<Vec<Incidence>, CliError> {
 }
 
 fn request(args: &TraceArgs, incidence: Incidence) -> TraceRequest {
+    let kind = if args.medium.modified.is_some() { Kind::Modified } else { Kind::Full };
     let stop = match args.std_error {
         Some(target) => Stop::StdError { target, max_photons: args.photons },
         None => Stop::Photons(args.photons),
     };
-    let stream = pipeline::stream_of(incidence, args.medium.modified.is_some());
+    let stream = pipeline::stream_of(incidence, kind);
     TraceRequest { tau: args.tau.clone(), incidence, stop, max_order: args.orders, seed: args.seed, stream }
 }
 
@@ -85,7 +87,9 @@ fn render(args: &TraceArgs, medium: &Medium, results: Vec<OrderResult>) -> Resul
         let inputs = (medium.record(), &args.tau, &args.mu0, args.photons, args.std_error, args.orders);
         let method = match args.estimator {
             Estimator::HalfSpace => "half-space Monte Carlo; std_error is one standard deviation of the mean",
-            Estimator::Plain => "plain three-dimensional Monte Carlo; std_error is one standard deviation of the mean",
+            Estimator::Plain => {
+                "plain three-dimensional Monte Carlo; std_error is one standard deviation of the mean"
+            }
         };
         let document = OrdersDocument {
             schema: OrdersDocument::SCHEMA.to_owned(),

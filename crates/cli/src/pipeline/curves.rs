@@ -3,7 +3,9 @@
 use super::published;
 use crate::CliError;
 use std::path::Path;
-use stratiform_artifact::{CurveModel, CurveQuantity, CurvesRow, ParameterRow, ParametersDocument, write_csv};
+use stratiform_artifact::{
+    CurveModel, CurveQuantity, CurvesRow, ParameterRow, ParametersDocument, write_csv,
+};
 use stratiform_model::{Fluxes, Form, Parameters, Thickness, Values, table::cos_degrees};
 use stratiform_quantities::Incidence;
 
@@ -46,7 +48,8 @@ pub fn values(document: &ParametersDocument, row: &ParameterRow) -> Values<f64> 
 /// # Errors
 /// [`CliError::Input`] for parameters or thickness out of the model's domain.
 pub fn fluxes(values: &Values<f64>, theta_l_deg: f64, thickness_m: f64) -> Result<Fluxes<f64>, CliError> {
-    let model = |error: stratiform_model::ModelError| CliError::Input(format!("{theta_l_deg} degrees: {error}"));
+    let model =
+        |error: stratiform_model::ModelError| CliError::Input(format!("{theta_l_deg} degrees: {error}"));
     let incidence = Incidence::beam(cos_degrees(theta_l_deg))?;
     let parameters = Parameters::new(values, incidence).map_err(model)?;
     Ok(parameters.fluxes(Form::Corrected, Thickness::new(thickness_m).map_err(model)?))

@@ -1,9 +1,9 @@
 //! Appendix B of Bouthors, Neyret & Lefebvre 2006, as published.
 
 use crate::CliError;
+use std::path::Path;
 use stratiform_artifact::{PublishedRow, write_csv};
 use stratiform_model::Values;
-use std::path::Path;
 
 /// β, the same for every angle.
 pub const BETA: f64 = 0.9961;
@@ -22,7 +22,10 @@ const TABLE: &str =
 /// [`CliError::Input`] if the built-in table is damaged.
 pub fn rows() -> Result<Vec<PublishedRow>, CliError> {
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(TABLE.as_bytes());
-    reader.deserialize().collect::<Result<_, _>>().map_err(|e| CliError::Input(format!("published table: {e}")))
+    reader
+        .deserialize()
+        .collect::<Result<_, _>>()
+        .map_err(|e| CliError::Input(format!("published table: {e}")))
 }
 
 /// The row's parameters, with κ_S per metre.

@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use stratiform_artifact::{Provenance, create_folder, hash_bytes, hash_of, read_json, write_atomic, write_json};
+use stratiform_artifact::{
+    Provenance, create_folder, hash_bytes, hash_of, read_json, write_atomic, write_json,
+};
 
 /// What a stage left behind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -51,26 +53,20 @@ impl Workspace {
         create_folder(dir)?;
         // A manifest that cannot be read proves nothing: every stage then runs.
         let stages = read_json::<Manifest>(&dir.join("manifest.json")).map(|m| m.stages).unwrap_or_default();
-        let manifest =
-            Manifest { schema: "stratiform/manifest/1".to_owned(), title: title.to_owned(), provenance, stages };
+        let manifest = Manifest {
+            schema: "stratiform/manifest/1".to_owned(),
+            title: title.to_owned(),
+            provenance,
+            stages,
+        };
         let workspace = Self { dir: dir.to_owned(), manifest, talk };
         workspace.save()?;
         Ok(workspace)
     }
 
-    /// The folder.
-    pub fn dir(&self) -> &Path {
-        &self.dir
-    }
-
     /// The inputs' hash of a stage that ran, to hand on to those that depend on it.
     pub fn hash_of_stage(&self, name: &str) -> String {
         self.manifest.stages.get(name).map_or_else(String::new, |record| hash_of(&record.files))
-    }
-
-    /// Wall time of a stage when it last ran.
-    pub fn seconds(&self, name: &str) -> Option<f64> {
-        self.manifest.stages.get(name).map(|record| record.seconds)
     }
 
     /// Runs stage `name` unless it is fresh. `run` writes into the folder and returns the files it wrote.
@@ -92,7 +88,8 @@ impl Workspace {
         let written = run(&self.dir)?;
         let mut files = BTreeMap::new();
         for file in written {
-            let bytes = std::fs::read(self.dir.join(&file)).map_err(|e| CliError::Input(format!("{file}: {e}")))?;
+            let bytes =
+                std::fs::read(self.dir.join(&file)).map_err(|e| CliError::Input(format!("{file}: {e}")))?;
             files.insert(file, hash_bytes(&bytes));
         }
         let seconds = start.elapsed().as_secs_f64();
@@ -115,21 +112,11 @@ impl Workspace {
     }
 }
 
-/// Writes text files into `dir` and returns their names.
-///
-/// # Errors
-/// [`CliError::Input`] if one cannot be written.
-pub fn write_texts(dir: &Path, texts: &[(&str, String)]) -> Result<Vec<String>, CliError> {
-    for (name, text) in texts {
-        write_atomic(&dir.join(name), text.as_bytes())?;
-    }
-    Ok(texts.iter().map(|(name, _)| (*name).to_owned()).collect())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::cell::Cell;
+    use stratiform_artifact::write_atomic;
 
     fn open(dir: &Path) -> Workspace {
         let provenance = Provenance::new("0".to_owned(), None, "test");
@@ -143,7 +130,8 @@ mod tests {
         let run = |inputs: u32| {
             let stage = |dir: &Path| {
                 runs.set(runs.get() + 1);
-                write_texts(dir, &[("a.txt", inputs.to_string())])
+                write_atomic(&dir.join("a.txt"), inputs.to_string().as_bytes())?;
+                Ok(vec!["a.txt".to_owned()])
             };
             open(dir.path()).stage("a", &inputs, stage).unwrap();
             runs.get()
@@ -161,6 +149,6 @@ mod tests {
         let mut workspace = open(dir.path());
         assert!(workspace.stage("a", &1, |_| Err(CliError::Interrupted)).is_err());
         assert!(!dir.path().join("a.txt").exists());
-        assert_eq!(workspace.seconds("a"), None);
+        assert!(workspace.manifest.stages.is_empty());
     }
 }

@@ -51,7 +51,11 @@ pub fn svg(text: &str, size: f64) -> Markup {
     html! {
         @for (piece, dy, font) in spans {
             @if dy == 0.0 && font == size { (piece) }
-            @else { tspan dy=(format!("{dy:.2}")) font-size=(format!("{font:.1}")) { (piece) } }
+            @else {
+                // Some readers drop a space at the start of a span, none drops one between spans.
+                @if piece.starts_with(' ') { " " }
+                tspan dy=(format!("{dy:.2}")) font-size=(format!("{font:.1}")) { (piece.trim_start()) }
+            }
         }
     }
 }
@@ -99,6 +103,12 @@ mod tests {
         );
         assert_eq!(html("κ_{c}").into_string(), "κ<sub>c</sub>");
         assert_eq!(plain("κ_{c} (m^{−1})"), "κc (m−1)");
+    }
+
+    #[test]
+    fn a_space_after_a_subscript_stays() {
+        let text = svg("θ_{l} (degrees)", 10.0).into_string();
+        assert!(text.contains("</tspan> <tspan") && text.contains(">(degrees)<"), "{text}");
     }
 
     #[test]

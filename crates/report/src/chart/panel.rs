@@ -10,9 +10,10 @@ pub const TEXT: f64 = 13.0;
 /// Font size of tick labels, in units.
 pub const SMALL: f64 = 12.0;
 
-const LEFT: f64 = 62.0;
+const LEFT: f64 = 68.0;
 const RIGHT: f64 = 12.0;
-const TOP: f64 = 24.0;
+const TOP: f64 = 10.0;
+const TOP_WITH_TITLE: f64 = 24.0;
 const BOTTOM: f64 = 44.0;
 
 /// An axis.
@@ -58,10 +59,11 @@ pub struct Panel {
 impl Panel {
     /// The panel as SVG elements in a cell of the given place and size.
     pub fn draw(&self, x: f64, y: f64, width: f64, height: f64) -> Markup {
-        let (width, height) = (width - LEFT - RIGHT, height - TOP - BOTTOM);
+        let top = if self.title.is_empty() { TOP } else { TOP_WITH_TITLE };
+        let (width, height) = (width - LEFT - RIGHT, height - top - BOTTOM);
         let area = Area { x: self.x.scale, y: self.y.scale, width, height };
         html! {
-            g transform=(format!("translate({:.2} {:.2})", x + LEFT, y + TOP)) {
+            g transform=(format!("translate({:.2} {:.2})", x + LEFT, y + top)) {
                 (self.ticks(&area))
                 svg width=(format!("{width:.2}")) height=(format!("{height:.2}")) {
                     @for mark in &self.marks { (draw_mark(mark, &area)) }
@@ -75,9 +77,9 @@ impl Panel {
 
     fn ticks(&self, area: &Area) -> Markup {
         let (w, h) = (area.width, area.height);
-        // One label needs about 60 units along x and 36 along y.
+        // One label needs about 60 units along x and 44 along y.
         let across = area.x.ticks((w / 60.0) as usize);
-        let up = area.y.ticks((h / 36.0) as usize);
+        let up = area.y.ticks((h / 44.0) as usize);
         html! {
             @for tick in &across {
                 @if let Some(x) = area.x.position(tick.value).map(|p| p * w) {
@@ -104,7 +106,7 @@ impl Panel {
 
     fn labels(&self, area: &Area) -> Markup {
         let (w, h) = (area.width, area.height);
-        let turned = format!("translate({:.2} {:.2}) rotate(-90)", 15.0 - LEFT, h / 2.0);
+        let turned = format!("translate({:.2} {:.2}) rotate(-90)", 13.0 - LEFT, h / 2.0);
         html! {
             @if !self.title.is_empty() {
                 text x="0" y="-8" font-size=(TEXT) font-weight="bold" { (label::svg(&self.title, TEXT)) }

@@ -16,10 +16,14 @@ pub struct Scale {
     /// Ends of the axis: the value, or its decimal logarithm.
     low: f64,
     high: f64,
+    /// Distance of the ticks of a linear axis, where it is not left to the program.
+    step: Option<f64>,
 }
 
 /// Free space beyond the data at either end, as a share of the axis.
 const MARGIN: f64 = 0.03;
+/// Axis lengths beyond which nothing is drawn.
+const FAR: f64 = 1e3;
 
 impl Scale {
     /// A linear axis that covers the finite values and some space beside them; 0…1 if there are none.
@@ -40,16 +44,22 @@ impl Scale {
         // A single value still needs an axis of some length; one decade, or the value's own size.
         let size = if logarithmic { 1.0 } else { low.abs().max(high.abs()).max(1e-9) };
         let span = if high - low > 1e-9 * size { high - low } else { size };
-        Self { logarithmic, low: low - MARGIN * span, high: low + (1.0 + MARGIN) * span }
+        Self { logarithmic, low: low - MARGIN * span, high: low + (1.0 + MARGIN) * span, step: None }
     }
 
-    /// Place along the axis, 0 at its start and 1 at its end; `None` if the axis cannot show `value`.
+    /// The same with ticks at multiples of `step` (linear axes).
+    pub fn with_step(self, step: f64) -> Self {
+        Self { step: Some(step), ..self }
+    }
+
+    /// Place along the axis, 0 at its start and 1 at its end; `None` if the axis cannot show `value`, or if
+    /// that is hundreds of axis lengths away.
     pub fn position(&self, value: f64) -> Option<f64> {
         if !value.is_finite() || (self.logarithmic && value <= 0.0) {
             return None;
         }
         let v = if self.logarithmic { libm::log10(value) } else { value };
-        Some((v - self.low) / (self.high - self.low))
+        Some((v - self.low) / (self.high - self.low)).filter(|place| place.abs() < FAR)
     }
 
     /// About `target` labelled ticks, and minor ones between.
@@ -58,7 +68,8 @@ impl Scale {
     }
 
     fn linear_ticks(&self, target: usize) -> Vec<Tick> {
-        let step = nice_step((self.high - self.low) / target.max(1) as f64);
+        let rough = (self.high - self.low) / target.max(1) as f64;
+        let step = self.step.unwrap_or_else(|| nice_step(rough));
         let decimals = (-libm::floor(libm::log10(step) + 1e-9)).clamp(0.0, 12.0) as usize;
         let (first, last) = (libm::ceil(self.low / step), libm::floor(self.high / step));
         (0..=(last - first).max(0.0) as usize)
@@ -74,7 +85,9 @@ impl Scale {
     fn log_ticks(&self, target: usize) -> Vec<Tick> {
         let (first, last) = (libm::floor(self.low) as i32, libm::ceil(self.high) as i32);
         let decades = self.high - self.low;
-        let every = libm::ceil(decades / target.max(1) as f64).max(1.0) as i32;
+        // Powers of ten are read at a glance, so they may stand closer than other labels.
+        let target = 1.6 * target.max(1) as f64;
+        let every = libm::ceil(decades / target).max(1.0) as i32;
         let plain = first >= -3 && last <= 4;
         let inside = |v: f64| self.position(v).is_some_and(|p| (0.0..=1.0).contains(&p));
         (first..=last)
@@ -82,7 +95,7 @@ impl Scale {
             .map(|(exponent, digit)| {
                 let labelled = match digit {
                     1 => exponent.rem_euclid(every) == 0,
-                    2 | 5 => decades < 2.2,
+                    2 | 5 => 3.0 * decades <= target,
                     _ => false,
                 };
                 let value = f64::from(digit) * libm::pow(10.0, f64::from(exponent));
@@ -107,10 +120,15 @@ fn log_label(exponent: i32, digit: i32, plain: bool) -> String {
     }
 }
 
-/// 1, 2 or 5 times a power of ten, at least `rough`.
+/// 1, 2 or 5 times a power of ten, near `rough`.
 fn nice_step(rough: f64) -> f64 {
     let power = libm::pow(10.0, libm::floor(libm::log10(rough)));
-    let factor = [1.0, 2.0, 5.0].into_iter().find(|f| f * power >= rough * 0.999).unwrap_or(10.0);
+    let factor = match rough / power {
+        ..1.5 => 1.0,
+        ..3.5 => 2.0,
+        ..7.5 => 5.0,
+        _ => 10.0,
+    };
     factor * power
 }
 
@@ -139,8 +157,8 @@ mod tests {
 
     #[test]
     fn logarithmic_ticks_are_powers_of_ten() {
-        assert_eq!(labels(Scale::logarithmic([1.0, 1000.0]), 5), ["1", "10", "100", "1000"]);
-        assert_eq!(labels(Scale::logarithmic([2e-6, 3e-4]), 5), ["10^{−5}", "10^{−4}"]);
+        assert_eq!(labels(Scale::logarithmic([1.0, 1000.0]), 4), ["1", "10", "100", "1000"]);
+        assert_eq!(labels(Scale::logarithmic([2e-6, 3e-4]), 3), ["10^{−5}", "10^{−4}"]);
         assert_eq!(labels(Scale::logarithmic([0.03, 0.6]), 5), ["0.05", "0.1", "0.2", "0.5"]);
     }
 

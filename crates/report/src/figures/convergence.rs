@@ -16,11 +16,11 @@ struct Group {
     std_error: f64,
 }
 
-const LOOKS: [(&str, Marker); 4] = [
-    (palette::VERMILION, Marker::Square),
-    (palette::BLUE, Marker::Circle),
-    (palette::GREEN, Marker::Triangle),
-    (palette::PURPLE, Marker::Diamond),
+const LOOKS: [(&str, Marker, Line); 4] = [
+    (palette::VERMILION, Marker::Square, Line::Dashed),
+    (palette::BLUE, Marker::Ring, Line::Dotted),
+    (palette::GREEN, Marker::Triangle, Line::Solid),
+    (palette::PURPLE, Marker::Cross, Line::Solid),
 ];
 const SLOPE: Style = Style::line(palette::GREY, Line::DashDot).with_width(1.2);
 
@@ -30,9 +30,9 @@ pub fn figure(rows: &[ConvergenceRow]) -> Figure {
     names.dedup();
     let estimators: Vec<_> = names.iter().map(|name| groups(rows, name)).collect();
     let mut legend = Vec::new();
-    for (name, (colour, marker)) in names.iter().zip(LOOKS.into_iter().cycle()) {
+    for (name, (colour, marker, line)) in names.iter().zip(LOOKS.into_iter().cycle()) {
         legend.push(LegendEntry::new(format!("{name}: error"), Style::points(colour, marker)));
-        legend.push(LegendEntry::new(format!("{name}: standard error"), Style::line(colour, Line::Dashed)));
+        legend.push(LegendEntry::new(format!("{name}: standard error"), Style::line(colour, line)));
     }
     legend.push(LegendEntry::new("slope −1/2", SLOPE));
     let panels = vec![
@@ -69,10 +69,10 @@ fn groups(rows: &[ConvergenceRow], estimator: &str) -> Vec<Group> {
 
 fn panel(title: &str, label: &str, estimators: &[Vec<Group>], effort: fn(&Group) -> f64) -> Panel {
     let mut series = Vec::new();
-    for (groups, (colour, marker)) in estimators.iter().zip(LOOKS.into_iter().cycle()) {
+    for (groups, (colour, marker, line)) in estimators.iter().zip(LOOKS.into_iter().cycle()) {
         let points = |of: fn(&Group) -> f64| groups.iter().map(|g| Point::new(effort(g), of(g))).collect();
         series.extend(slope(groups, effort));
-        series.push(Series { style: Style::line(colour, Line::Dashed), points: points(|g| g.std_error) });
+        series.push(Series { style: Style::line(colour, line), points: points(|g| g.std_error) });
         series.push(Series { style: Style::points(colour, marker), points: points(|g| g.error) });
     }
     let all = || series.iter().flat_map(|s| &s.points);

@@ -51,7 +51,7 @@ fn panel(title: &str, fitted: &[Angle], published: &[Angle], wanted: fn(&str) ->
     let all = || series.iter().flat_map(|s| &s.points);
     Panel {
         title: title.to_owned(),
-        x: Axis::new("θ_{l} (degrees)", Scale::linear(all().map(|p| p.x).chain([0.0, 90.0]))),
+        x: Axis::new("θ_{l} (degrees)", Scale::linear(all().map(|p| p.x).chain([0.0, 90.0])).with_step(30.0)),
         y: Axis::new("misfit (per incident flux)", Scale::logarithmic(all().map(|p| p.y))),
         series,
         marks: Vec::new(),

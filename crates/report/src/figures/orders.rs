@@ -48,9 +48,9 @@ pub fn figure(inputs: &Inputs, theta_deg: f64) -> Figure {
 fn look(quantity: CurveQuantity) -> (&'static str, Marker, &'static str) {
     match quantity {
         CurveQuantity::TMs | CurveQuantity::RMs => (palette::BLACK, Marker::Circle, "all orders (ms)"),
-        CurveQuantity::T0 => (palette::BLUE, Marker::Square, "0"),
-        CurveQuantity::T1 | CurveQuantity::R1 => (palette::ORANGE, Marker::Triangle, "1"),
-        CurveQuantity::T2 | CurveQuantity::R2 => (palette::GREEN, Marker::Diamond, "2"),
+        CurveQuantity::T0 => (palette::BLUE, Marker::Square, "order 0"),
+        CurveQuantity::T1 | CurveQuantity::R1 => (palette::ORANGE, Marker::Triangle, "order 1"),
+        CurveQuantity::T2 | CurveQuantity::R2 => (palette::GREEN, Marker::Diamond, "order 2"),
         CurveQuantity::T3Plus | CurveQuantity::R3Plus => (palette::PURPLE, Marker::Cross, "3 and more (3+)"),
     }
 }

@@ -65,8 +65,11 @@ fn panel(inputs: &Inputs, label: &str, fitted: Fitted, published: Published) -> 
     let points = || series.iter().flat_map(|s| &s.points);
     Panel {
         title: String::new(),
-        x: Axis::new("θ_{l} (degrees)", Scale::linear(points().map(|p| p.x).chain([0.0, 90.0]))),
-        y: Axis::new(label, Scale::linear(points().map(|p| p.y).chain([0.0]))),
+        x: Axis::new(
+            "θ_{l} (degrees)",
+            Scale::linear(points().map(|p| p.x).chain([0.0, 90.0])).with_step(30.0),
+        ),
+        y: Axis::new(label, Scale::linear(points().map(|p| p.y + p.error.min(p.y.abs())).chain([0.0]))),
         series,
         marks: Vec::new(),
     }

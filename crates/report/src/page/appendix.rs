@@ -1,6 +1,7 @@
 //! The regenerated parameter table beside the published one, and the misfits.
 
 use super::{flags, number};
+use crate::chart::html as rich;
 use crate::input::Inputs;
 use maud::{Markup, html};
 use stratiform_artifact::{FittedParameter, Flag, Misfit, ParameterRow, PublishedRow};
@@ -11,7 +12,7 @@ type Column = (&'static str, fn(&ParameterRow) -> &FittedParameter, fn(&Publishe
 const COLUMNS: [Column; 5] = [
     ("b", |row| &row.b, |row| row.b),
     ("c (1/m)", |row| &row.c, |row| row.c_per_m),
-    ("κc (1/m)", |row| &row.kappa_c, |row| row.kappa_c_per_m),
+    ("κ_{c} (1/m)", |row| &row.kappa_c, |row| row.kappa_c_per_m),
     ("t", |row| &row.t, |row| row.t),
     ("r", |row| &row.r, |row| row.r),
 ];
@@ -57,8 +58,8 @@ fn heading(published: bool) -> Markup {
         tr {
             th { "θ" sub { "l" } " (°)" }
             @for (name, _, _) in COLUMNS {
-                th { (name) }
-                @if published { th { (name) br; "published" } }
+                th { (rich(name)) }
+                @if published { th { (rich(name)) br; "published" } }
             }
             th { "notes" }
         }
@@ -90,10 +91,15 @@ fn table_row(row: &ParameterRow, inputs: &Inputs, used: &[Flag]) -> Markup {
     }
 }
 
-pub fn parameter(parameter: &FittedParameter) -> String {
-    match parameter.value {
+/// Value over its error; a dash over the emitted value where there is none.
+pub fn parameter(parameter: &FittedParameter) -> Markup {
+    let text = match parameter.value {
         Some(value) => number::with_error(value, parameter.std_error),
         None => format!("– ({})", number::fixed(parameter.emitted, 4)),
+    };
+    match text.split_once(" ± ") {
+        Some((value, error)) => html! { (value) br; small { "± " (error) } },
+        None => html! { (text) },
     }
 }
 

@@ -1,6 +1,7 @@
 //! Long tables, folded.
 
 use super::{appendix, number};
+use crate::chart::html as rich;
 use crate::figures::chosen_angles;
 use crate::input::Inputs;
 use maud::{Markup, html};
@@ -29,7 +30,7 @@ pub fn tables(inputs: &Inputs) -> Markup {
 fn table(heading: &[&str], body: &Markup) -> Markup {
     html! {
         div class="wide" {
-            table { thead { tr { @for name in heading { th { (name) } } } } tbody { (body) } }
+            table { thead { tr { @for name in heading { th { (rich(name)) } } } } tbody { (body) } }
         }
     }
 }
@@ -48,7 +49,7 @@ fn optical(parameters: &ParameterTable) -> Markup {
     };
     html! {
         p { "β = T" sub { "ms" } "(τ = 1) = " (beta) "." }
-        (table(&["θl (°)", "b", "c (per τ)", "κc (per τ)", "t", "r"], &body))
+        (table(&["θ_{l} (°)", "b", "c (per τ)", "κ_{c} (per τ)", "t", "r"], &body))
     }
 }
 
@@ -65,8 +66,15 @@ fn outcome(parameters: &ParameterTable) -> Markup {
             }
         }
     };
-    let heading =
-        ["θl (°)", "b–c", "κc–t", "κc–r", "t–r", "fit of b, c stopped by", "fit of κc, t, r stopped by"];
+    let heading = [
+        "θ_{l} (°)",
+        "b–c",
+        "κ_{c}–t",
+        "κ_{c}–r",
+        "t–r",
+        "fit of b, c stopped by",
+        "fit of κ_{c}, t, r stopped by",
+    ];
     table(&heading, &body)
 }
 
@@ -100,5 +108,5 @@ fn convergence(rows: &[ConvergenceRow]) -> Markup {
             }
         }
     };
-    table(&["estimator", "θl (°)", "τ", "order", "photons", "seconds", "error", "standard error"], &body)
+    table(&["estimator", "θ_{l} (°)", "τ", "order", "photons", "seconds", "error", "standard error"], &body)
 }

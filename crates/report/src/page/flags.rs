@@ -1,21 +1,22 @@
 //! The flags of a row in words.
 
+use crate::chart::html as rich;
 use maud::{Markup, html};
 use stratiform_artifact::Flag;
 
-pub fn words(flag: Flag) -> &'static str {
+fn words(flag: Flag) -> &'static str {
     match flag {
         Flag::CNotIdentifiable => {
             "c has no influence where b is so near 1; the value emitted is interpolated"
         }
         Flag::BOnBound => "b sits on a bound of the fit",
         Flag::COnBound => "c sits on a bound of the fit",
-        Flag::KappaCOnBound => "κc sits on a bound of the fit",
+        Flag::KappaCOnBound => "κ_{c} sits on a bound of the fit",
         Flag::TOnBound => "t sits on a bound of the fit",
         Flag::ROnBound => "r sits on a bound of the fit",
         Flag::BetaFixed => "β was taken from the other angles: the form cannot fit here",
-        Flag::NegativeT3Plus => "the fitted model's T3+ is negative (below −0.001) at some thickness",
-        Flag::NegativeR3Plus => "the fitted model's R3+ is negative (below −0.001) at some thickness",
+        Flag::NegativeT3Plus => "the fitted model's T_{3+} is negative (below −0.001) at some thickness",
+        Flag::NegativeR3Plus => "the fitted model's R_{3+} is negative (below −0.001) at some thickness",
         Flag::OutsideUnitInterval => "the fitted model leaves [0, 1] at some thickness",
         Flag::NotConverged => "the optimiser stopped before it converged",
     }
@@ -25,6 +26,6 @@ pub fn words(flag: Flag) -> &'static str {
 pub fn list(flags: &[Flag]) -> Markup {
     html! {
         @if flags.is_empty() { p { "No row carries a flag." } }
-        @else { ol class="flags" { @for flag in flags { li { (words(*flag)) } } } }
+        @else { ol class="flags" { @for flag in flags { li { (rich(words(*flag))) } } } }
     }
 }

@@ -1,6 +1,7 @@
 //! What the numbers are for and where they come from.
 
 use super::number;
+use crate::chart::html as rich;
 use crate::input::Inputs;
 use maud::{Markup, html};
 use stratiform_artifact::Provenance;
@@ -27,9 +28,9 @@ pub fn table(inputs: &Inputs) -> Markup {
         ("extinction of the full medium κ", format!("{} per m", medium.extinction_per_m)),
         ("single-scattering albedo ω", medium.single_scattering_albedo.to_string()),
         ("asymmetry parameter g", medium.asymmetry.to_string()),
-        ("forward limit θf", format!("{}°", medium.theta_f_deg)),
-        ("forward fraction Pf", medium.forward_fraction.to_string()),
-        ("κS of the modified medium", format!("{} per m", inputs.parameters.metres.kappa_s)),
+        ("forward limit θ_{f}", format!("{}°", medium.theta_f_deg)),
+        ("forward fraction P_{f}", medium.forward_fraction.to_string()),
+        ("κ_{S} of the modified medium", format!("{} per m", inputs.parameters.metres.kappa_s)),
     ];
     let sources = [("parameters", &inputs.parameters.provenance), ("optics", &inputs.optics.provenance)];
     let notes = inputs.notes.as_ref().map(|notes| ("notes", &notes.provenance));
@@ -37,7 +38,7 @@ pub fn table(inputs: &Inputs) -> Markup {
         div class="wide" {
             table {
                 caption { "Medium" }
-                tbody { @for (name, value) in facts { tr { th class="words" { (name) } td class="words" { (value) } } } }
+                tbody { @for (name, value) in facts { tr { th class="words" { (rich(name)) } td class="words" { (value) } } } }
             }
         }
         div class="wide" {

@@ -1,0 +1,66 @@
+//! The chain in order: optics, reference, fit, codegen, convergence, notes, report. Each stage leaves files and is
+//! skipped while its inputs are unchanged.
+
+pub mod accepted;
+mod convergence;
+mod curves;
+mod notes;
+pub mod optics;
+mod published;
+pub mod reference;
+mod run;
+mod stage;
+mod table;
+
+pub use run::{Target, run};
+pub use table::parameter_table;
+
+use crate::{CliError, interrupt};
+use stratiform_artifact::hash_of;
+use stratiform_quantities::{Incidence, Medium};
+use stratiform_transport::{Control, Progress, TransportError};
+
+/// Any error that means bad input.
+pub fn input_error(error: impl std::fmt::Display) -> CliError {
+    CliError::Input(error.to_string())
+}
+
+/// A tracer's error.
+pub fn trace_error(error: TransportError) -> CliError {
+    match error {
+        TransportError::Cancelled => CliError::Interrupted,
+        TransportError::Books { .. } => CliError::Failed(error.to_string()),
+        other => input_error(other),
+    }
+}
+
+/// Watches a trace, and stops it when the user asks to.
+pub fn control(progress: &dyn Progress) -> Control<'_> {
+    Control { progress: Some(progress), cancel: Some(interrupt::flag()) }
+}
+
+/// The number that keeps the photons of one incidence and medium apart from all others: a hash of both, so that it
+/// does not depend on what else is traced.
+pub fn stream_of(incidence: Incidence, medium: Medium) -> u32 {
+    let hash = hash_of(&(incidence, medium));
+    hash.bytes().take(8).fold(0, |word, digit| (word << 4) | (char::from(digit).to_digit(16).unwrap_or(0)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn streams_tell_incidences_and_media_apart() {
+        let beam = |mu| Incidence::beam(mu).unwrap();
+        let all = [
+            stream_of(beam(1.0), Medium::Full),
+            stream_of(beam(1.0), Medium::Modified),
+            stream_of(beam(0.5), Medium::Full),
+            stream_of(Incidence::Diffuse, Medium::Full),
+        ];
+        for (i, a) in all.iter().enumerate() {
+            assert!(all[..i].iter().all(|b| a != b));
+        }
+    }
+}

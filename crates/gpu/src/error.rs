@@ -1,0 +1,44 @@
+//! What a device can refuse.
+
+/// A device that is missing, or that refused work.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum GpuError {
+    /// The machine has no adapter.
+    #[error("no Vulkan adapter: {reason}")]
+    NoAdapter {
+        /// What the driver layer said.
+        reason: String,
+    },
+    /// The adapter could not be opened.
+    #[error("cannot open the graphics device: {reason}")]
+    Device {
+        /// What the driver layer said.
+        reason: String,
+    },
+    /// A buffer whose size no device takes.
+    #[error("buffer {binding} has {bytes} bytes: a positive multiple of 4 is needed")]
+    BufferSize {
+        /// Index of the binding.
+        binding: usize,
+        /// Its size.
+        bytes: usize,
+    },
+    /// The shader or the dispatch is not valid.
+    #[error("the device refused the shader: {reason}")]
+    Refused {
+        /// The validation message.
+        reason: String,
+    },
+    /// The work did not end, or its result could not be read.
+    #[error("the device failed: {reason}")]
+    Failed {
+        /// What the driver layer said.
+        reason: String,
+    },
+}
+
+impl GpuError {
+    pub(crate) fn failed(error: impl std::fmt::Display) -> Self {
+        Self::Failed { reason: error.to_string() }
+    }
+}

@@ -1,0 +1,63 @@
+//! The emitted shader, executed, against the f64 model at the self-test vectors.
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+
+#[path = "../../codegen/tests/common/mod.rs"]
+mod common;
+mod device;
+
+use stratiform_codegen::{QUANTITIES, SelfTest, generate, self_test_module};
+use stratiform_gpu::Gpu;
+use stratiform_quantities::Incidence;
+
+/// Largest error of a flux: relative to 1 and, separately, to the flux itself.
+const ABSOLUTE: f64 = 2e-6;
+
+fn input(test: &SelfTest) -> Vec<f32> {
+    let pair = |mu_l: Incidence, tau: f64| {
+        let mu = match mu_l {
+            Incidence::Beam(mu) => mu.get(),
+            Incidence::Diffuse => -1.0,
+        };
+        [mu as f32, tau as f32]
+    };
+    test.vectors.iter().flat_map(|vector| pair(vector.mu_l, vector.tau)).collect()
+}
+
+fn execute(gpu: &Gpu, wgsl: &str, test: &SelfTest) -> Vec<f32> {
+    let bytes = 36 * test.vectors.len();
+    let groups = [u32::try_from(test.vectors.len().div_ceil(64)).unwrap(), 1, 1];
+    let input = input(test);
+    let output =
+        gpu.run(wgsl, "stratiform_self_test", &[bytemuck::cast_slice(&input)], bytes, groups).unwrap();
+    bytemuck::pod_collect_to_vec(&output)
+}
+
+/// Largest absolute error over all vectors, per flux, and largest relative one where the flux exceeds 1e-30.
+fn errors(test: &SelfTest, output: &[f32]) -> [(f64, f64); 9] {
+    let mut worst = [(0.0_f64, 0.0_f64); 9];
+    for (vector, shader) in test.vectors.iter().zip(output.chunks(9)) {
+        for ((worst, exact), shader) in worst.iter_mut().zip(vector.fluxes).zip(shader) {
+            let error = (f64::from(*shader) - exact).abs();
+            assert!(error.is_finite());
+            worst.0 = worst.0.max(error);
+            if exact.abs() > 1e-30 {
+                worst.1 = worst.1.max(error / exact.abs());
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn the_shader_reproduces_the_model() {
+    let Some(gpu) = device::device() else { return };
+    let files = generate(&common::inputs()).unwrap();
+    let test: SelfTest = serde_json::from_str(&files["self_test.json"]).unwrap();
+    let module = self_test_module(&files).unwrap();
+    let worst = errors(&test, &execute(&gpu, &module, &test));
+    println!("{}", gpu.adapter());
+    for (quantity, (absolute, relative)) in QUANTITIES.iter().zip(worst) {
+        println!("{quantity:<9} {absolute:.1e} {relative:.1e}");
+    }
+    assert!(worst.iter().all(|error| error.0 < ABSOLUTE), "{worst:?}");
+}
