@@ -7,8 +7,8 @@ use crate::CliError;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use stratiform_artifact::{hash_of, read_text};
-use stratiform_fit::FitConfig;
-use stratiform_optics::OpticsConfig;
+use stratiform_fit::{FitConfig, FitError};
+use stratiform_optics::{OpticsConfig, OpticsError};
 use stratiform_quantities::{DomainError, ExtinctionConvention, Medium, Range, SingleScatteringAlbedo};
 
 /// The whole file.
@@ -72,8 +72,12 @@ pub struct CodegenConfig {
 pub struct ConvergenceConfig {
     /// Angle of the curve, degrees: one of `fit.theta_l_deg`, whose reference it is held against.
     pub theta_l_deg: f64,
-    /// Photons of each point.
-    pub photons: Vec<u64>,
+    /// Thicknesses of the curve, metres: the nearest of the fit's grid are taken.
+    pub thickness_m: Vec<f64>,
+    /// Photons of each point, plain tracer.
+    pub plain_photons: Vec<u64>,
+    /// Photons of each point, half-space tracer.
+    pub half_space_photons: Vec<u64>,
 }
 
 /// `[regression]`: the largest |model - fresh Monte Carlo| that is accepted, per quantity, beyond the Monte
@@ -117,9 +121,10 @@ impl Config {
             let line = error.span().map_or(1, |span| line_of(&text, span.start));
             CliError::Input(format!("{}:{line}: {}", path.display(), error.message()))
         })?;
-        config.validate().map_err(|error| {
-            let place = key_line(&text, &error.quantity).map_or(String::new(), |line| format!(":{line}"));
-            CliError::Input(format!("{}{place}: {error}", path.display()))
+        config.validate().map_err(|fault| {
+            let line = fault.key.and_then(|key| key_line(&text, &key));
+            let place = line.map_or(String::new(), |line| format!(":{line}"));
+            CliError::Input(format!("{}{place}: {}", path.display(), fault.message))
         })?;
         if config.schema != Self::SCHEMA {
             let message = format!("schema `{}` is not `{}`", config.schema, Self::SCHEMA);
@@ -137,15 +142,20 @@ impl Config {
         hash_of(self)
     }
 
-    fn validate(&self) -> Result<(), DomainError> {
-        self.optics.validate()?;
-        self.fit.validate()?;
+    fn validate(&self) -> Result<(), Fault> {
+        self.optics.resolve()?;
+        self.fit.check()?;
         let counts = Range::closed(1.0, 9_007_199_254_740_992.0);
         let count = |name: &str, value: u64| counts.check(name, value as f64).map(|_| ());
         count("photons", self.transport.photons)?;
         count("photons_between", self.transport.photons_between)?;
         count("photons", self.regression.photons)?;
-        self.convergence.photons.iter().try_for_each(|n| count("photons", *n))?;
+        self.convergence.plain_photons.iter().try_for_each(|n| count("plain_photons", *n))?;
+        self.convergence.half_space_photons.iter().try_for_each(|n| count("half_space_photons", *n))?;
+        self.convergence
+            .thickness_m
+            .iter()
+            .try_for_each(|h| Range::above(0.0).check("convergence.thickness_m", *h).map(|_| ()))?;
         Range::closed(0.0, 90.0).check("theta_l_deg", self.convergence.theta_l_deg)?;
         Range::open(0.0, 1.0).check("false_alarm_rate", self.regression.false_alarm_rate)?;
         let bounds = self.regression.bounds;
@@ -161,9 +171,39 @@ impl Config {
         if !self.optics.wavelengths_um.contains(&self.transport.wavelength_um) {
             let nearest = self.optics.wavelengths_um.first().copied().unwrap_or(0.0);
             let range = Range::closed(nearest, nearest);
-            return range.check("wavelength_um", self.transport.wavelength_um).map(|_| ());
+            range.check("wavelength_um", self.transport.wavelength_um)?;
         }
         Ok(())
+    }
+}
+
+/// What is wrong with a value, and under which key it stands, where that is known.
+struct Fault {
+    key: Option<String>,
+    message: String,
+}
+
+impl From<DomainError> for Fault {
+    fn from(error: DomainError) -> Self {
+        Self { message: error.to_string(), key: Some(error.quantity) }
+    }
+}
+
+impl From<OpticsError> for Fault {
+    fn from(error: OpticsError) -> Self {
+        match error {
+            OpticsError::Domain(error) => error.into(),
+            other => Self { key: None, message: other.to_string() },
+        }
+    }
+}
+
+impl From<FitError> for Fault {
+    fn from(error: FitError) -> Self {
+        match error {
+            FitError::Domain(error) => error.into(),
+            other => Self { key: None, message: other.to_string() },
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! What the model is fitted to: fluxes of one incidence over the thickness grid, with covariances.
 
 use crate::{FitError, Matrix};
+use serde::{Deserialize, Serialize};
 use stratiform_artifact::RowIncidence;
 use stratiform_model::table::cos_degrees;
 use stratiform_quantities::{Incidence, Range};
@@ -9,7 +10,7 @@ use stratiform_quantities::{Incidence, Range};
 pub const ORDERS: [&str; 4] = ["t_1", "t_2", "r_1", "r_2"];
 
 /// Reference fluxes of one incidence. All lists follow the thickness grid of the config.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reference {
     /// Angle or diffuse light.
     pub incidence: RowIncidence,

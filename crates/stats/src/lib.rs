@@ -6,7 +6,9 @@
 mod chi_square;
 mod estimate;
 mod stream;
+mod z;
 
 pub use chi_square::{ChiSquare, ChiSquareError, MIN_EXPECTED, chi_square};
 pub use estimate::Estimate;
 pub use stream::{Purpose, key, photon_stream};
+pub use z::{family_threshold, z_score};

@@ -72,29 +72,19 @@ impl Lanes {
         words
     }
 
-    /// v = 1 - cosΘ per lane.
-    #[inline(always)]
-    fn scattering_angles(&mut self, table: &SamplingTable) -> Lane<f64> {
-        let words = self.draw();
-        let mut v = words.map(|word| table.parabola(word));
-        if v.iter().any(|v| v.is_nan()) {
-            for (v, word) in v.iter_mut().zip(words).filter(|(v, _)| v.is_nan()) {
-                *v = table.exact(word);
-            }
-        }
-        v
-    }
-
     #[inline(always)]
     fn absorb(&mut self, absorbs_from: u64) {
         if absorbs_from < 1 << 32 {
-            self.absorbed = self.draw().map(|word| u64::from(word) >= absorbs_from);
+            let words = self.draw();
+            for (absorbed, word) in self.absorbed.iter_mut().zip(words) {
+                *absorbed = u64::from(word) >= absorbs_from;
+            }
         }
     }
 
     #[inline(always)]
     fn scatter(&mut self, table: &SamplingTable) {
-        let angles = self.scattering_angles(table);
+        let angles = table.sample_all(&self.draw());
         let azimuths = self.draw();
         for (mu, (v, azimuth)) in self.mu.iter_mut().zip(angles.iter().zip(azimuths)) {
             let sine = ((1.0 - *mu * *mu).max(0.0) * v * (2.0 - v)).sqrt();
@@ -114,10 +104,12 @@ impl Lanes {
     /// Bit k is set where lane k left its layer or was absorbed.
     #[inline(always)]
     fn events(&self) -> u32 {
-        (0..LANES).fold(0, |events, k| {
+        let mut events = 0;
+        for k in 0..LANES {
             let left = (self.depth[k] < 0.0) | (self.depth[k] >= self.bottom[k]) | self.absorbed[k];
-            events | (u32::from(left) << k)
-        })
+            events |= u32::from(left) << k;
+        }
+        events
     }
 }
 
@@ -139,4 +131,26 @@ pub(crate) fn collide_and_fly(lanes: &mut Lanes, table: &SamplingTable, absorbs_
 fn output(state: u64) -> u32 {
     let shifted = (((state >> 18) ^ state) >> 27) as u32;
     shifted.rotate_right((state >> 59) as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::Rng;
+    use stratiform_stats::{Purpose, key, photon_stream};
+
+    #[test]
+    fn every_lane_continues_its_generator() {
+        let mut lanes = Lanes::parked();
+        let stream = |lane| photon_stream(key(1, Purpose::Calibration), lane as u64);
+        let mut streams: Vec<Pcg32> = (0..LANES).map(stream).collect();
+        for (lane, rng) in streams.iter_mut().enumerate() {
+            rng.next_u32();
+            lanes.place(lane, rng, 1.0, 0.0, 1.0);
+        }
+        for _ in 0..1000 {
+            let words = lanes.draw();
+            assert!(streams.iter_mut().zip(words).all(|(rng, word)| rng.next_u32() == word));
+        }
+    }
 }

@@ -60,7 +60,11 @@ impl TraceRequest {
         self.max_order as usize + 2
     }
 
-    pub(crate) fn check(&self) -> Result<(), TransportError> {
+    /// Checks every number, as the tracers do before they start.
+    ///
+    /// # Errors
+    /// [`TransportError`] naming the number that is out of domain.
+    pub fn check(&self) -> Result<(), TransportError> {
         if self.tau.is_empty() {
             return Err(TransportError::NoThickness);
         }

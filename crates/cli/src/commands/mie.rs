@@ -5,7 +5,7 @@ use crate::args::MieArgs;
 use crate::output::Data;
 use std::fmt::Write;
 use stratiform_artifact::to_json;
-use stratiform_optics::mie::{self, MieDocument};
+use stratiform_optics::mie::{self, document::MieDocument};
 
 /// Runs the command.
 ///

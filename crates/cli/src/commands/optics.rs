@@ -30,7 +30,7 @@ fn config(args: &OpticsArgs) -> Result<OpticsConfig, CliError> {
     let need =
         |value: Option<f64>, name: &str| value.ok_or_else(|| CliError::Input(format!("--{name} is missing")));
     let droplets = DropletDistribution::ModifiedGamma {
-        r_eff_um: need(args.r_eff, "r-eff")?,
+        effective_radius_um: need(args.r_eff, "r-eff")?,
         gamma: need(args.gamma, "gamma")?,
     };
     let config = OpticsConfig {
@@ -41,7 +41,7 @@ fn config(args: &OpticsArgs) -> Result<OpticsConfig, CliError> {
         theta_f_deg: args.modified,
         tolerance: Default::default(),
     };
-    config.validate()?;
+    config.resolve().map_err(pipeline::optics::optics_error)?;
     Ok(config)
 }
 

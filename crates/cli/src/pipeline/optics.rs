@@ -5,7 +5,7 @@ use crate::config::Config;
 use std::path::{Path, PathBuf};
 use stratiform_artifact::{OpticsDocument, WavelengthOptics, read_json, write_csv};
 use stratiform_optics::phase::{Norm, PhaseRow, PhaseTable};
-use stratiform_optics::{Ensemble, mie};
+use stratiform_optics::{ensemble::Ensemble, mie};
 use stratiform_quantities::{ExtinctionConvention, SingleScatteringAlbedo};
 
 /// What the transport needs to know of a cloud.
@@ -48,7 +48,11 @@ pub fn cache_folder() -> Option<PathBuf> {
 /// # Errors
 /// [`CliError::Input`] for numbers out of domain, [`CliError::Failed`] if the error asked for is not reached.
 pub fn ensembles(config: &stratiform_optics::OpticsConfig) -> Result<Vec<Ensemble>, CliError> {
-    stratiform_optics::load_or_compute(config, cache_folder().as_deref()).map_err(optics_error)
+    match cache_folder() {
+        Some(folder) => stratiform_optics::load_or_compute(config, &folder),
+        None => stratiform_optics::compute(config),
+    }
+    .map_err(optics_error)
 }
 
 /// A tolerance that is not met is no bad input.

@@ -64,19 +64,9 @@ impl Workspace {
         Ok(workspace)
     }
 
-    /// The folder.
-    pub fn dir(&self) -> &Path {
-        &self.dir
-    }
-
     /// The inputs' hash of a stage that ran, to hand on to those that depend on it.
     pub fn hash_of_stage(&self, name: &str) -> String {
         self.manifest.stages.get(name).map_or_else(String::new, |record| hash_of(&record.files))
-    }
-
-    /// Wall time of a stage when it last ran.
-    pub fn seconds(&self, name: &str) -> Option<f64> {
-        self.manifest.stages.get(name).map(|record| record.seconds)
     }
 
     /// Runs stage `name` unless it is fresh. `run` writes into the folder and returns the files it wrote.
@@ -122,21 +112,11 @@ impl Workspace {
     }
 }
 
-/// Writes text files into `dir` and returns their names.
-///
-/// # Errors
-/// [`CliError::Input`] if one cannot be written.
-pub fn write_texts(dir: &Path, texts: &[(&str, String)]) -> Result<Vec<String>, CliError> {
-    for (name, text) in texts {
-        write_atomic(&dir.join(name), text.as_bytes())?;
-    }
-    Ok(texts.iter().map(|(name, _)| (*name).to_owned()).collect())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::cell::Cell;
+    use stratiform_artifact::write_atomic;
 
     fn open(dir: &Path) -> Workspace {
         let provenance = Provenance::new("0".to_owned(), None, "test");
@@ -150,7 +130,8 @@ mod tests {
         let run = |inputs: u32| {
             let stage = |dir: &Path| {
                 runs.set(runs.get() + 1);
-                write_texts(dir, &[("a.txt", inputs.to_string())])
+                write_atomic(&dir.join("a.txt"), inputs.to_string().as_bytes())?;
+                Ok(vec!["a.txt".to_owned()])
             };
             open(dir.path()).stage("a", &inputs, stage).unwrap();
             runs.get()
@@ -168,6 +149,6 @@ mod tests {
         let mut workspace = open(dir.path());
         assert!(workspace.stage("a", &1, |_| Err(CliError::Interrupted)).is_err());
         assert!(!dir.path().join("a.txt").exists());
-        assert_eq!(workspace.seconds("a"), None);
+        assert!(workspace.manifest.stages.is_empty());
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! The random word u stands for ξ = (u + ½)/2³². Its top 12 bits choose one of 4096 intervals of equal
 //! probability; inside, v(ξ) is a parabola in the low 20 bits through the exact v at both ends and the middle.
-//! v is stored in single precision: cosΘ would lose the forward peak, v does not. An interval whose parabola
+//! v is stored, not cosΘ, which would lose the forward peak. An interval whose parabola
 //! is not monotone, or misses the bound |C(v) - ξ| ≤ 2⁻²³ ([`SamplingTable::BOUND`]) at any of its test points,
 //! is marked, and samples in it are inverted by the phase function itself. Such are the intervals next to a
 //! jump or a gap of P. No sample lies below the smallest v of positive probability.
@@ -22,7 +22,7 @@ const TEST_POINTS: [f64; 6] = [0.06, 0.2, 0.35, 0.65, 0.8, 0.94];
 /// v = start + t(slope + t·curve) for t ∈ (0, 1); slope is NaN where the interval is inverted exactly.
 #[derive(Clone, Copy, Debug)]
 struct Interval {
-    start: f32,
+    start: f64,
     slope: f32,
     curve: f32,
 }
@@ -32,7 +32,7 @@ impl Interval {
 
     #[inline(always)]
     fn at(&self, t: f64) -> f64 {
-        f64::from(self.start) + t * (f64::from(self.slope) + t * f64::from(self.curve))
+        self.start + t * (f64::from(self.slope) + t * f64::from(self.curve))
     }
 
     fn is_monotone(&self) -> bool {
@@ -40,12 +40,12 @@ impl Interval {
     }
 
     /// The parabola of interval `index`, or [`Self::EXACT`] where it is not good enough.
-    fn fit(phase: &dyn PhaseFunction, index: usize, ends: [f32; 2]) -> Self {
+    fn fit(phase: &dyn PhaseFunction, index: usize, ends: [f64; 2]) -> Self {
         let xi = |t: f64| (index as f64 + t) / INTERVALS as f64;
-        let [start, end] = ends.map(f64::from);
+        let [start, end] = ends;
         let middle = phase.invert(xi(0.5));
         let curve = 2.0 * (start + end) - 4.0 * middle;
-        let fitted = Self { start: ends[0], slope: (end - start - curve) as f32, curve: curve as f32 };
+        let fitted = Self { start, slope: (end - start - curve) as f32, curve: curve as f32 };
         let good = |t: &f64| (phase.cumulative(fitted.at(*t)) - xi(*t)).abs() <= SamplingTable::BOUND / 2.0;
         if fitted.is_monotone() && fitted.at(1.0) <= 2.0 && TEST_POINTS.iter().all(good) {
             fitted
@@ -68,7 +68,7 @@ impl SamplingTable {
 
     /// Tabulates `phase`: 8193 inversions and six cumulatives per interval.
     pub fn new(phase: Arc<dyn PhaseFunction>) -> Self {
-        let knots: Vec<f32> = (0..=INTERVALS).map(|k| knot(phase.as_ref(), k)).collect();
+        let knots: Vec<f64> = (0..=INTERVALS).map(|k| knot(phase.as_ref(), k)).collect();
         let fit = |k| Interval::fit(phase.as_ref(), k, [knots[k], knots[k + 1]]);
         let intervals = Box::new(std::array::from_fn(fit));
         Self { phase, intervals }
@@ -77,22 +77,33 @@ impl SamplingTable {
     /// v = 1 - cosΘ of the random word `bits`: non-decreasing in `bits`, within \[0, 2\].
     #[inline(always)]
     pub fn sample(&self, bits: u32) -> f64 {
-        let v = self.parabola(bits);
+        let v = self.intervals[(bits >> OFFSET_BITS) as usize].at(offset(bits));
         if v.is_nan() { self.exact(bits) } else { v }
     }
 
-    /// The same without a branch, for loops over many words: NaN where [`exact`](Self::exact) is needed.
+    /// The same for many words at once, as loops that vector units can run.
     #[inline(always)]
-    pub fn parabola(&self, bits: u32) -> f64 {
-        let interval = self.intervals[(bits >> OFFSET_BITS) as usize];
-        let offset = (bits & OFFSET_MASK) as i32;
-        interval.at((f64::from(offset) + 0.5) * (1.0 / f64::from(1_u32 << OFFSET_BITS)))
+    pub fn sample_all<const N: usize>(&self, words: &[u32; N]) -> [f64; N] {
+        let (mut starts, mut slopes, mut curves) = ([0.0; N], [0.0; N], [0.0; N]);
+        for k in 0..N {
+            let Interval { start, slope, curve } = self.intervals[(words[k] >> OFFSET_BITS) as usize];
+            (starts[k], slopes[k], curves[k]) = (start, slope, curve);
+        }
+        let mut v = [0.0; N];
+        let mut inexact = false;
+        for k in 0..N {
+            v[k] = Interval { start: starts[k], slope: slopes[k], curve: curves[k] }.at(offset(words[k]));
+            inexact |= v[k].is_nan();
+        }
+        if inexact {
+            (0..N).filter(|&k| slopes[k].is_nan()).for_each(|k| v[k] = self.exact(words[k]));
+        }
+        v
     }
 
-    /// v of the random word `bits` by the phase function's own inversion.
     #[cold]
     #[inline(never)]
-    pub fn exact(&self, bits: u32) -> f64 {
+    fn exact(&self, bits: u32) -> f64 {
         self.phase.invert((f64::from(bits) + 0.5) * WORD)
     }
 
@@ -108,11 +119,14 @@ impl SamplingTable {
     }
 }
 
-/// v at the lower end of interval `index`, rounded to single precision; upwards for the very first, so
-/// that nothing is sampled where P is zero.
-fn knot(phase: &dyn PhaseFunction, index: usize) -> f32 {
+/// Where in its interval a word lies, in (0, 1).
+#[inline(always)]
+fn offset(bits: u32) -> f64 {
+    (f64::from((bits & OFFSET_MASK) as i32) + 0.5) * (1.0 / f64::from(1_u32 << OFFSET_BITS))
+}
+
+/// v at the lower end of interval `index`.
+fn knot(phase: &dyn PhaseFunction, index: usize) -> f64 {
     let xi = (index as f64 / INTERVALS as f64).min(1.0 - 0.5 * f64::EPSILON);
-    let v = phase.invert(xi).min(2.0);
-    let rounded = v as f32;
-    if index == 0 && f64::from(rounded) < v { rounded.next_up() } else { rounded }
+    phase.invert(xi).min(2.0)
 }

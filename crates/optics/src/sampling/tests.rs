@@ -1,0 +1,193 @@
+//! The table against the cumulatives of the functions it was made from.
+
+use super::SamplingTable;
+use crate::phase::{HenyeyGreenstein, Isotropic, PhaseFunction};
+use rand::Rng;
+use std::sync::Arc;
+use stratiform_quantities::Asymmetry;
+use stratiform_stats::{Purpose, chi_square, key, photon_stream};
+
+/// A Henyey–Greenstein function cut off below `edge`, as the modified medium's is.
+struct Cut {
+    inner: HenyeyGreenstein,
+    edge: f64,
+}
+
+impl Cut {
+    fn below(&self) -> f64 {
+        self.inner.cumulative(self.edge)
+    }
+}
+
+impl PhaseFunction for Cut {
+    fn value(&self, v: f64) -> f64 {
+        if v < self.edge { 0.0 } else { self.inner.value(v) / (1.0 - self.below()) }
+    }
+
+    fn cumulative(&self, v: f64) -> f64 {
+        ((self.inner.cumulative(v) - self.below()) / (1.0 - self.below())).max(0.0)
+    }
+
+    fn invert(&self, xi: f64) -> f64 {
+        self.inner.invert(self.below() + xi * (1.0 - self.below())).max(self.edge)
+    }
+
+    fn asymmetry(&self) -> f64 {
+        unreachable!("not needed for sampling")
+    }
+
+    fn moments(&self, _count: usize) -> Vec<f64> {
+        unreachable!("not needed for sampling")
+    }
+}
+
+/// A third of the light in v ∈ [0.1, 0.2], the rest in [1.5, 1.6]: the gap begins inside an interval.
+struct Gap;
+
+impl PhaseFunction for Gap {
+    fn value(&self, v: f64) -> f64 {
+        match v {
+            0.1..=0.2 => 20.0 / 3.0,
+            1.5..=1.6 => 40.0 / 3.0,
+            _ => 0.0,
+        }
+    }
+
+    fn cumulative(&self, v: f64) -> f64 {
+        ((v - 0.1).clamp(0.0, 0.1) + 2.0 * (v - 1.5).clamp(0.0, 0.1)) / 0.3
+    }
+
+    fn invert(&self, xi: f64) -> f64 {
+        if xi < 1.0 / 3.0 { 0.1 + 0.3 * xi } else { 1.5 + 0.15 * (xi - 1.0 / 3.0) }
+    }
+
+    fn asymmetry(&self) -> f64 {
+        unreachable!("not needed for sampling")
+    }
+
+    fn moments(&self, _count: usize) -> Vec<f64> {
+        unreachable!("not needed for sampling")
+    }
+}
+
+fn hg(g: f64) -> HenyeyGreenstein {
+    HenyeyGreenstein::new(Asymmetry::new(g).unwrap())
+}
+
+fn cut(g: f64) -> Cut {
+    // 1 - cos 5°
+    Cut { inner: hg(g), edge: 0.003_805_301_908_254_455 }
+}
+
+fn functions() -> Vec<(&'static str, Arc<dyn PhaseFunction>)> {
+    vec![
+        ("isotropic", Arc::new(Isotropic)),
+        ("hg -0.5", Arc::new(hg(-0.5))),
+        ("hg 0.85", Arc::new(hg(0.85))),
+        ("hg 0.99", Arc::new(hg(0.99))),
+        ("hg 0.999", Arc::new(hg(0.999))),
+        ("cut hg 0.85", Arc::new(cut(0.85))),
+        ("cut hg 0.99", Arc::new(cut(0.99))),
+        ("gap", Arc::new(Gap)),
+    ]
+}
+
+/// Ends of every interval with their neighbours, and a million words in between.
+fn words() -> impl Iterator<Item = u32> {
+    let ends = (0..4096_u32).flat_map(|k| (0..3_u32).map(move |d| (k << 20).wrapping_sub(1).wrapping_add(d)));
+    ends.chain((0..1_000_000_u32).map(|k| k.wrapping_mul(2_654_435_761)))
+}
+
+fn xi(word: u32) -> f64 {
+    (f64::from(word) + 0.5) / 4_294_967_296.0
+}
+
+#[test]
+fn inversion_is_within_its_bound() {
+    for (name, phase) in functions() {
+        let table = SamplingTable::new(phase.clone());
+        for word in words() {
+            let v = table.sample(word);
+            assert!((0.0..=2.0).contains(&v), "{name}: v = {v}");
+            let error = (phase.cumulative(v) - xi(word)).abs();
+            assert!(error <= SamplingTable::BOUND, "{name}: word {word}, v = {v}, error {error:e}");
+        }
+    }
+}
+
+#[test]
+fn sampling_is_monotone() {
+    for (name, phase) in functions() {
+        let table = SamplingTable::new(phase);
+        let mut sorted: Vec<u32> = words().collect();
+        sorted.sort_unstable();
+        for pair in sorted.windows(2) {
+            assert!(table.sample(pair[0]) <= table.sample(pair[1]), "{name}: {pair:?}");
+        }
+    }
+}
+
+#[test]
+fn one_by_one_and_all_at_once_are_the_same() {
+    for (_, phase) in functions() {
+        let table = SamplingTable::new(phase);
+        let all: Vec<u32> = words().take(20_000).collect();
+        for chunk in all.chunks_exact(16) {
+            let words: &[u32; 16] = chunk.try_into().unwrap();
+            assert_eq!(table.sample_all(words), words.map(|word| table.sample(word)));
+        }
+    }
+}
+
+#[test]
+fn nothing_is_sampled_where_the_function_is_zero() {
+    for g in [0.85, 0.99] {
+        let table = SamplingTable::new(Arc::new(cut(g)));
+        assert!(words().all(|word| table.sample(word) >= cut(g).edge));
+    }
+    let table = SamplingTable::new(Arc::new(Gap));
+    assert!(words().all(|word| Gap.value(table.sample(word)) > 0.0));
+}
+
+/// The exact path is a rare one.
+#[test]
+fn few_intervals_need_exact_inversion() {
+    for (name, phase) in functions() {
+        let share = SamplingTable::new(phase).exact_share();
+        assert!(share <= 0.005, "{name}: {share}");
+    }
+}
+
+/// P-value of 2·10⁶ samples of `sampled` in 400 cells, against the cumulative of `claimed`.
+fn p_value(sampled: Arc<dyn PhaseFunction>, claimed: &dyn PhaseFunction, seed: u64) -> f64 {
+    let samples = 2_000_000;
+    // Cells of equal probability, in v.
+    let edges: Vec<f64> = (1..400).map(|k| claimed.invert(f64::from(k) / 400.0)).collect();
+    let table = SamplingTable::new(sampled);
+    let mut rng = photon_stream(key(seed, Purpose::Calibration), 0);
+    let mut observed = vec![0; 400];
+    for _ in 0..samples {
+        let v = table.sample(rng.next_u32());
+        observed[edges.partition_point(|edge| *edge < v)] += 1;
+    }
+    let mut bounds: Vec<f64> = edges.iter().map(|v| claimed.cumulative(*v)).collect();
+    bounds.insert(0, 0.0);
+    bounds.push(1.0);
+    let expected: Vec<f64> = bounds.windows(2).map(|pair| (pair[1] - pair[0]) * f64::from(samples)).collect();
+    chi_square(&observed, &expected).unwrap().p_value
+}
+
+/// Eight tests at p = 10⁻⁴ each: one false alarm in 1250 seeds.
+#[test]
+fn samples_follow_the_cumulative() {
+    for (name, phase) in functions() {
+        let p = p_value(phase.clone(), phase.as_ref(), 11);
+        assert!(p > 1e-4, "{name}: p = {p:e}");
+    }
+}
+
+/// The same test tells g = 0.85 from one 1 % smaller.
+#[test]
+fn a_planted_asymmetry_is_rejected() {
+    assert!(p_value(Arc::new(hg(0.8415)), &hg(0.85), 11) < 1e-4);
+}
