@@ -72,8 +72,12 @@ pub struct CodegenConfig {
 pub struct ConvergenceConfig {
     /// Angle of the curve, degrees: one of `fit.theta_l_deg`, whose reference it is held against.
     pub theta_l_deg: f64,
-    /// Photons of each point.
-    pub photons: Vec<u64>,
+    /// Thicknesses of the curve, metres: the nearest of the fit's grid are taken.
+    pub thickness_m: Vec<f64>,
+    /// Photons of each point, plain tracer.
+    pub plain_photons: Vec<u64>,
+    /// Photons of each point, half-space tracer.
+    pub half_space_photons: Vec<u64>,
 }
 
 /// `[regression]`: the largest |model - fresh Monte Carlo| that is accepted, per quantity, beyond the Monte
@@ -146,7 +150,12 @@ impl Config {
         count("photons", self.transport.photons)?;
         count("photons_between", self.transport.photons_between)?;
         count("photons", self.regression.photons)?;
-        self.convergence.photons.iter().try_for_each(|n| count("photons", *n))?;
+        self.convergence.plain_photons.iter().try_for_each(|n| count("plain_photons", *n))?;
+        self.convergence.half_space_photons.iter().try_for_each(|n| count("half_space_photons", *n))?;
+        self.convergence
+            .thickness_m
+            .iter()
+            .try_for_each(|h| Range::above(0.0).check("convergence.thickness_m", *h).map(|_| ()))?;
         Range::closed(0.0, 90.0).check("theta_l_deg", self.convergence.theta_l_deg)?;
         Range::open(0.0, 1.0).check("false_alarm_rate", self.regression.false_alarm_rate)?;
         let bounds = self.regression.bounds;

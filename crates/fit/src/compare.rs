@@ -1,12 +1,13 @@
 //! Whether two fits of the same medium agree within their standard errors.
 //!
 //! Every parameter of the table in optical thickness gives z = (a - b)/√(σ_a² + σ_b²). All N of them are judged together: the
-//! largest |z| may exceed the threshold with probability at most α if the fits are independent and their errors normal
-//! (Bonferroni: erfc(z/√2) = α/N). Not compared are c, and with it b, of a row where one of the fits has no c.
+//! largest |z| may exceed the threshold with probability α, and no more whatever their correlations (to O(α²)), if the fits are
+//! independent of each other and their errors normal; see [`family_threshold`]. Not compared are c, and with it b, of a row where one of the fits has no c.
 
 use crate::FitError;
 use stratiform_artifact::{FittedParameter, ParameterRow, ParametersDocument};
 use stratiform_quantities::Range;
+use stratiform_stats::{Estimate, family_threshold, z_score};
 
 /// One parameter of two fits.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +34,7 @@ pub struct Comparison {
 impl Comparison {
     /// The parameters that differ.
     pub fn differing(&self) -> impl Iterator<Item = &Deviation> {
-        self.deviations.iter().filter(|d| !(d.z.abs() <= self.threshold))
+        self.deviations.iter().filter(|d| d.z.is_nan() || d.z.abs() > self.threshold)
     }
 
     /// Whether none differs.
@@ -64,8 +65,8 @@ pub fn compare(
     for (a, b) in a.optical.rows.iter().zip(&b.optical.rows) {
         deviations.extend(of_row(a, b));
     }
-    let threshold = threshold(false_alarm_rate / deviations.len() as f64);
-    Ok(Comparison { deviations, threshold })
+    let threshold = family_threshold(false_alarm_rate, deviations.len());
+    Ok(Comparison { deviations, threshold: threshold.unwrap_or(f64::INFINITY) })
 }
 
 fn of_row(a: &ParameterRow, b: &ParameterRow) -> Vec<Deviation> {
@@ -95,36 +96,8 @@ fn deviation(
     a: (f64, Option<f64>),
     b: (f64, Option<f64>),
 ) -> Deviation {
-    let square = |error: Option<f64>| error.map_or(0.0, |e| e * e);
-    let error = (square(a.1) + square(b.1)).sqrt();
-    let difference = a.0 - b.0;
-    let z = if difference == 0.0 { 0.0 } else { difference / error };
+    // What sits on a bound has no error of its own.
+    let estimate = |(value, error): (f64, Option<f64>)| Estimate { value, std_error: error.unwrap_or(0.0) };
+    let z = z_score(estimate(a), estimate(b));
     Deviation { theta_l_deg: theta_l_deg.to_owned(), parameter, values: [a.0, b.0], z }
-}
-
-/// The z with erfc(z/√2) = `probability`, by bisection.
-fn threshold(probability: f64) -> f64 {
-    let (mut low, mut high) = (0.0, 40.0);
-    for _ in 0..100 {
-        let middle = 0.5 * (low + high);
-        if libm::erfc(middle / std::f64::consts::SQRT_2) > probability {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Two-sided normal quantiles (Abramowitz & Stegun, table 26.5).
-    #[test]
-    fn thresholds_are_normal_quantiles() {
-        for (probability, z) in [(0.05, 1.959_964), (0.01, 2.575_829), (0.001, 3.290_527)] {
-            assert!((threshold(probability) - z).abs() < 1e-6);
-        }
-    }
 }

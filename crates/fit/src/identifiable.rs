@@ -10,18 +10,19 @@ use crate::qr::PivotedQr;
 use crate::{FitError, Matrix, Reference};
 use stratiform_quantities::Incidence;
 
-const LARGEST_RELATIVE_ERROR: f64 = 0.5;
+/// Above this error relative to c it is not identifiable.
+pub(crate) const LARGEST_RELATIVE_ERROR: f64 = 0.5;
 
-/// Whether c is determined, from its standard error (absent on a bound), the row's residuals and its derivatives.
-pub(crate) fn is_identifiable(
+/// The larger of both errors relative to c, from its standard error (absent on a bound), the row's residuals and its
+/// derivatives by b and c.
+pub(crate) fn relative_error(
     c: f64,
     std_error: Option<f64>,
     residuals: &[f64],
     by_b: &[f64],
     by_c: &[f64],
-) -> bool {
-    let allowed = LARGEST_RELATIVE_ERROR * c;
-    std_error.is_none_or(|error| error <= allowed) && misfit_error(residuals, by_b, by_c) <= allowed
+) -> f64 {
+    std_error.unwrap_or(0.0).max(misfit_error(residuals, by_b, by_c)) / c
 }
 
 /// The error of c that the misfit supports; infinite where c has no influence of its own.
@@ -91,13 +92,13 @@ mod tests {
     fn c_is_judged_by_both_errors() {
         let (by_b, by_c) = ([0.0, 0.5, 1.0, 1.0], [0.0, 0.2, 0.1, 0.0]);
         let judge = |misfit: f64, error| {
-            is_identifiable(1.0, error, &[misfit, -misfit, misfit, -misfit], &by_b, &by_c)
+            relative_error(1.0, error, &[misfit, -misfit, misfit, -misfit], &by_b, &by_c)
         };
-        assert!(judge(1e-3, Some(0.1)) && judge(1e-3, None));
-        assert!(!judge(1e-3, Some(0.6)), "statistical error");
-        assert!(!judge(0.2, Some(0.1)), "misfit");
-        assert!(!is_identifiable(1.0, None, &[0.0; 4], &by_b, &[0.0; 4]), "no influence at all");
-        assert!(!is_identifiable(1.0, None, &[1e-9; 4], &by_b, &by_b.map(|b| 2.0 * b)), "same as b");
+        assert_eq!(judge(1e-3, Some(0.6)), 0.6);
+        assert!(judge(1e-3, None) < 0.1 && judge(0.2, Some(0.1)) > 0.5);
+        assert_eq!(relative_error(1.0, None, &[0.0; 4], &by_b, &[0.0; 4]), f64::INFINITY, "no influence");
+        let same = relative_error(1.0, None, &[1e-9; 4], &by_b, &by_b.map(|b| 2.0 * b));
+        assert_eq!(same, f64::INFINITY, "indistinguishable from b");
     }
 
     #[test]

@@ -144,3 +144,84 @@ impl Covariance {
         (product > 0.0).then(|| (self.values.get(i, j) / product).clamp(-1.0, 1.0))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::least_squares::{Bounds, Options, solve};
+
+    /// e^{-px} + q fitted to data it cannot follow.
+    struct Decay(Vec<f64>);
+
+    impl Decay {
+        fn shifted(&self, by: &[f64], factor: f64) -> Self {
+            Self(self.0.iter().zip(by).map(|(y, d)| y + factor * d).collect())
+        }
+
+        fn fit(&self, q: [f64; 2]) -> Solution {
+            let bounds = Bounds::new(&[[0.0, 10.0], q]).unwrap();
+            solve(self, &[1.0, q[0]], &bounds, &Options::default()).unwrap()
+        }
+    }
+
+    impl LeastSquares for Decay {
+        fn residual_count(&self) -> usize {
+            self.0.len()
+        }
+
+        fn residuals(&self, p: &[f64], out: &mut [f64]) -> Result<(), FitError> {
+            for (k, (r, y)) in out.iter_mut().zip(&self.0).enumerate() {
+                *r = libm::exp(-p[0] * k as f64) + p[1] - y;
+            }
+            Ok(())
+        }
+
+        fn jacobian(&self, p: &[f64], out: &mut Matrix) -> Result<(), FitError> {
+            for k in 0..self.0.len() {
+                out.set(k, 0, -(k as f64) * libm::exp(-p[0] * k as f64));
+                out.set(k, 1, 1.0);
+            }
+            Ok(())
+        }
+    }
+
+    const Q: [f64; 2] = [-5.0, 5.0];
+
+    fn data() -> (Decay, [f64; 5]) {
+        (Decay(vec![0.7, 1.2, -0.3, 0.6, -0.1]), [0.3, -1.0, 0.5, 0.2, 0.7])
+    }
+
+    /// Refits with the data moved along one direction give dp; the covariance of that direction must be dp·dpᵀ. Without
+    /// the second derivatives of the model it would be far off here.
+    #[test]
+    fn the_sensitivity_is_that_of_refits() {
+        let (decay, direction) = data();
+        let solution = decay.fit(Q);
+        let answer = |sign: f64| decay.shifted(&direction, sign * 1e-5).fit(Q).parameters;
+        let (plus, minus) = (answer(1.0), answer(-1.0));
+        let change = |i: usize| (plus[i] - minus[i]) / 2e-5;
+        let block = Matrix::square(5, |i, j| direction[i] * direction[j]);
+        let sensitivity = Sensitivity::new(&decay, &solution, &[[0.0, 10.0], Q], &[]).unwrap().unwrap();
+        let covariance = sensitivity.covariance(&[block]);
+        for i in 0..2 {
+            assert!((covariance.std_error(i).unwrap() / change(i).abs() - 1.0).abs() < 1e-6);
+        }
+        assert!((covariance.correlation(0, 1).unwrap() - (change(0) * change(1)).signum()).abs() < 1e-9);
+        let first_order = dot(solution.jacobian.column(0), solution.jacobian.column(0));
+        let second_order = sensitivity.hessian.get(0, 0) / first_order - 1.0;
+        assert!(second_order.abs() > 0.1, "{second_order}");
+    }
+
+    #[test]
+    fn a_supplied_parameter_hands_its_error_on() {
+        let decay = data().0;
+        let at = |q: f64| decay.fit([q, q]);
+        let solution = at(0.1);
+        let allowed = [[0.0, 10.0], [0.1, 0.1]];
+        let sensitivity = Sensitivity::new(&decay, &solution, &allowed, &[(1, 0.04)]).unwrap().unwrap();
+        let covariance = sensitivity.covariance(&[Matrix::zeros(5, 5)]);
+        let change = (at(0.1 + 1e-5).parameters[0] - at(0.1 - 1e-5).parameters[0]) / 2e-5;
+        assert!((covariance.std_error(0).unwrap() / (0.2 * change.abs()) - 1.0).abs() < 1e-4);
+        assert!(covariance.std_error(1).is_none() && covariance.correlation(0, 1).is_none());
+    }
+}

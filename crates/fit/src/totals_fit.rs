@@ -6,7 +6,7 @@
 //! emitted (b, c) is the best pair with a c continuous in θ_l.
 
 use crate::config::{FitConfig, ParameterBounds};
-use crate::identifiable::{interpolated, is_identifiable};
+use crate::identifiable::{LARGEST_RELATIVE_ERROR, interpolated, relative_error};
 use crate::least_squares::{Outcome, Solution};
 use crate::multiple::{Held, Totals, place_of_b};
 use crate::sandwich::{Covariance, Sensitivity};
@@ -42,22 +42,27 @@ struct GroupFit {
     covariance: Option<Covariance>,
 }
 
-/// Fits every row.
+/// Fits every row; while some c are not identifiable, the worst of them is held and everything fitted again.
 pub(crate) fn fit_totals(
     config: &FitConfig,
     tau: &[f64],
     references: &[Reference],
 ) -> Result<TotalsFit, FitError> {
-    let free = vec![None; references.len()];
-    let mut fits = fit_groups(config, tau, references, &free)?;
-    let c: Vec<Option<f64>> = (0..references.len()).map(|i| find(&fits, i).identifiable_c(i, tau)).collect();
-    let held = interpolated(references, &c, config.bounds.c)?;
-    if held.iter().any(Option::is_some) {
-        fits = fit_groups(config, tau, references, &held)?;
+    let rows = 0..references.len();
+    let mut without_c = vec![false; references.len()];
+    let mut held = vec![None; references.len()];
+    loop {
+        let fits = fit_groups(config, tau, references, &held)?;
+        let judged = rows.clone().filter(|&i| !without_c[i]).map(|i| (i, find(&fits, i).error_of_c(i, tau)));
+        let worst = judged.fold((0, 0.0), |worst, next| if next.1 > worst.1 { next } else { worst });
+        if worst.1 <= LARGEST_RELATIVE_ERROR {
+            let row = |i| find(&fits, i).row(i, tau, without_c[i]);
+            return Ok(TotalsFit { beta: beta(&fits[0]), rows: rows.map(row).collect() });
+        }
+        without_c[worst.0] = true;
+        let c = rows.clone().map(|i| (!without_c[i]).then(|| find(&fits, i).c(i, tau)));
+        held = interpolated(references, &c.collect::<Vec<_>>(), config.bounds.c)?;
     }
-    let beta = beta(&fits[0]);
-    let row = |i| find(&fits, i).row(i, tau, held[i].is_some());
-    Ok(TotalsFit { beta, rows: (0..references.len()).map(row).collect() })
 }
 
 fn find(fits: &[GroupFit], reference: usize) -> &GroupFit {
@@ -128,12 +133,16 @@ impl GroupFit {
         self.covariance.as_ref().and_then(|c| c.std_error(place))
     }
 
-    /// c of a reference, if the data determine it.
-    fn identifiable_c(&self, reference: usize, tau: &[f64]) -> Option<f64> {
+    fn c(&self, reference: usize, tau: &[f64]) -> f64 {
+        self.solution.parameters[self.of(reference, tau).0 + 1]
+    }
+
+    /// The relative error of c of a reference.
+    fn error_of_c(&self, reference: usize, tau: &[f64]) -> f64 {
         let (b, first, residuals) = self.of(reference, tau);
-        let c = self.solution.parameters[b + 1];
         let column = |j: usize| &self.solution.jacobian.column(j)[first..first + tau.len()];
-        is_identifiable(c, self.std_error(b + 1), residuals, column(b), column(b + 1)).then_some(c)
+        let c = self.solution.parameters[b + 1];
+        relative_error(c, self.std_error(b + 1), residuals, column(b), column(b + 1))
     }
 
     fn row(&self, reference: usize, tau: &[f64], c_held: bool) -> TotalsRow {

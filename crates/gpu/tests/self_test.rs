@@ -1,4 +1,5 @@
 //! The emitted shader, executed, against the f64 model at the self-test vectors.
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
 #[path = "../../codegen/tests/common/mod.rs"]
 mod common;

@@ -1,4 +1,5 @@
 //! What is refused, and what is reported.
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
 use stratiform_model::table::{Angle, ParameterGrid};
 use stratiform_model::{Form, ModelError, Parameters, Thickness, Values, problems};

@@ -2,6 +2,9 @@
 //!
 //! The trust radius follows Moré 1978: a ratio of actual to predicted decrease below ¼ shrinks it (to a tenth at most,
 //! by a parabola through both), above ¾ or for a full step it becomes twice the step; ratios below 1e-4 reject the step.
+//!
+//! Sums of squares resolve parameters only to the square root of the rounding error. Once the predicted decrease is below that,
+//! full steps are taken as long as each shrinks the decrease predicted after it; the first that does not is the end.
 
 use super::linear_model::{LinearModel, Step};
 use super::problem::column_norms;
@@ -12,8 +15,10 @@ use argmin::core::{
     Error, IterState, Jacobian, KV, Operator, Problem, Solver, State, TerminationReason, TerminationStatus,
 };
 
-/// Below this predicted relative decrease a rejected step says nothing: sums of squares do not resolve it.
-const RESOLUTION: f64 = 1e-14;
+/// Below this predicted relative decrease sums of squares do not tell a good step from a bad one.
+const RESOLUTION: f64 = 1e-13;
+/// Least factor by which a step taken without their help must shrink the predicted decrease.
+const POLISH: f64 = 0.5;
 const LEAST_RATIO: f64 = 1e-4;
 
 type Iterate = IterState<Vec<f64>, (), Matrix, (), Vec<f64>, f64>;
@@ -78,14 +83,83 @@ impl LevenbergMarquardt {
         }
     }
 
-    /// Ends a search whose radius has collapsed.
-    fn judge_rejection(&mut self, full: &Step, point: &[f64]) {
-        if full.predicted <= RESOLUTION {
-            self.outcome = Some(Outcome::Converged(Criterion::Ftol));
-        } else if self.radius <= f64::EPSILON * self.scaled_length(point) || self.radius < f64::MIN_POSITIVE {
+    fn has_collapsed(&self, point: &[f64]) -> bool {
+        self.radius <= f64::EPSILON * self.scaled_length(point) || self.radius < f64::MIN_POSITIVE
+    }
+
+    /// The model at `point`; `None` where residuals or derivatives are not finite.
+    fn linearise<O: Differentiable>(
+        problem: &mut Problem<O>,
+        point: &[f64],
+        residuals: Vec<f64>,
+    ) -> Result<Option<LinearModel>, Error> {
+        if !norm(&residuals).is_finite() {
+            return Ok(None);
+        }
+        let jacobian = problem.jacobian(&point.to_vec())?;
+        Ok(jacobian.is_finite().then(|| LinearModel::new(point.to_vec(), residuals, jacobian)))
+    }
+
+    /// Takes the full step if the next one promises much less; otherwise the search is over.
+    fn polish<O: Differentiable>(
+        &mut self,
+        problem: &mut Problem<O>,
+        model: LinearModel,
+        full: &Step,
+    ) -> Result<LinearModel, Error> {
+        let residuals = problem.apply(&full.target)?;
+        if let Some(next) = Self::linearise(problem, &full.target, residuals)? {
+            let promised = next.step(&self.bounds, &self.scale, f64::INFINITY).predicted;
+            if promised < POLISH * full.predicted {
+                return Ok(next);
+            }
+        }
+        self.outcome = Some(Outcome::Converged(Criterion::Ftol));
+        Ok(model)
+    }
+
+    /// Tries a step inside the trust radius; returns the point where the search stands after it.
+    fn attempt<O: Differentiable>(
+        &mut self,
+        problem: &mut Problem<O>,
+        model: LinearModel,
+        full: Step,
+        first: bool,
+    ) -> Result<LinearModel, Error> {
+        let step = if full.length <= self.radius {
+            full
+        } else {
+            model.step(&self.bounds, &self.scale, self.radius)
+        };
+        if first {
+            self.radius = self.radius.min(step.length);
+        }
+        let residuals = problem.apply(&step.target)?;
+        let actual = relative_decrease(&model.residuals, &residuals);
+        self.update_radius(&step, actual);
+        if step.predicted > 0.0 && actual >= LEAST_RATIO * step.predicted {
+            if let Some(next) = Self::linearise(problem, &step.target, residuals)? {
+                self.rescale(&next.jacobian);
+                return Ok(next);
+            }
+            self.radius = 0.1 * step.length;
+        }
+        if self.has_collapsed(&model.point) {
             self.outcome = Some(Outcome::Stalled);
         }
+        Ok(model)
     }
+}
+
+/// What the solver asks of a problem.
+pub(super) trait Differentiable:
+    Operator<Param = Vec<f64>, Output = Vec<f64>> + Jacobian<Param = Vec<f64>, Jacobian = Matrix>
+{
+}
+
+impl<O> Differentiable for O where
+    O: Operator<Param = Vec<f64>, Output = Vec<f64>> + Jacobian<Param = Vec<f64>, Jacobian = Matrix>
+{
 }
 
 /// (|r|² - |new|²)/|r|², without the cancellation of the squares; -∞ where `new` is not finite.
@@ -97,10 +171,7 @@ fn relative_decrease(old: &[f64], new: &[f64]) -> f64 {
     product / dot(old, old)
 }
 
-impl<O> Solver<O, Iterate> for LevenbergMarquardt
-where
-    O: Operator<Param = Vec<f64>, Output = Vec<f64>> + Jacobian<Param = Vec<f64>, Jacobian = Matrix>,
-{
+impl<O: Differentiable> Solver<O, Iterate> for LevenbergMarquardt {
     fn name(&self) -> &str {
         "Levenberg-Marquardt"
     }
@@ -123,39 +194,21 @@ where
     fn next_iter(
         &mut self,
         problem: &mut Problem<O>,
-        mut state: Iterate,
+        state: Iterate,
     ) -> Result<(Iterate, Option<KV>), Error> {
         let model = self.model.take().ok_or_else(|| Error::msg("the solver was not initialised"))?;
         let full = model.step(&self.bounds, &self.scale, f64::INFINITY);
         self.outcome = self.criterion(&model, &full).map(Outcome::Converged);
-        if self.outcome.is_some() {
-            self.model = Some(model);
-            return Ok((state, None));
-        }
-        let first = state.get_iter() == 0;
-        let step = if full.length <= self.radius {
-            full.clone()
+        let next = if self.outcome.is_some() {
+            model
+        } else if full.predicted <= RESOLUTION {
+            self.polish(problem, model, &full)?
         } else {
-            model.step(&self.bounds, &self.scale, self.radius)
+            self.attempt(problem, model, full, state.get_iter() == 0)?
         };
-        if first {
-            self.radius = self.radius.min(step.length);
-        }
-        let residuals = problem.apply(&step.target)?;
-        let actual = relative_decrease(&model.residuals, &residuals);
-        self.update_radius(&step, actual);
-        if step.predicted > 0.0 && actual >= LEAST_RATIO * step.predicted {
-            let jacobian = problem.jacobian(&step.target)?;
-            if jacobian.is_finite() {
-                self.rescale(&jacobian);
-                state = state.param(step.target.clone()).cost(0.5 * dot(&residuals, &residuals));
-                self.model = Some(LinearModel::new(step.target, residuals, jacobian));
-                return Ok((state, None));
-            }
-            self.radius = 0.1 * step.length;
-        }
-        self.judge_rejection(&full, &model.point);
-        self.model = Some(model);
+        let cost = 0.5 * dot(&next.residuals, &next.residuals);
+        let state = state.param(next.point.clone()).cost(cost);
+        self.model = Some(next);
         Ok((state, None))
     }
 

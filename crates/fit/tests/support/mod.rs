@@ -55,13 +55,19 @@ pub fn incidences(angles: &[f64]) -> Vec<RowIncidence> {
     degrees.chain([RowIncidence::diffuse()]).collect()
 }
 
-/// The model's own fluxes with a smooth misfit of this amplitude, and relative covariance `spread`² (1 + 2·[i=j])/3.
+/// How far a flux may move without leaving [0, 1].
+fn room(flux: f64) -> f64 {
+    flux * (1.0 - flux)
+}
+
+/// The model's own fluxes f with a smooth misfit of this amplitude times f(1-f), and standard errors of `spread` times that,
+/// a third of whose variance is common to all thicknesses.
 pub fn reference(incidence: RowIncidence, values: &Values<f64>, misfit: f64, spread: f64) -> Reference {
     let tau: Vec<f64> = ThicknessGrid::default().metres().iter().map(|h| h * KAPPA).collect();
     let parameters = Parameters::new(values, Incidence::Diffuse).unwrap();
     let fluxes: Vec<_> =
         tau.iter().map(|h| parameters.fluxes(Form::Corrected, Thickness::new(*h).unwrap())).collect();
-    let bent = |k: usize, f: f64, phase: f64| f * (1.0 + misfit * libm::sin(0.5 * k as f64 + phase));
+    let bent = |k: usize, f: f64, phase: f64| f + misfit * room(f) * libm::sin(0.5 * k as f64 + phase);
     let curve =
         |of: &dyn Fn(usize) -> f64, phase: f64| (0..tau.len()).map(|k| bent(k, of(k), phase)).collect();
     let t_ms: Vec<f64> = curve(&|k| fluxes[k].t_ms, 0.0);
@@ -79,7 +85,7 @@ pub fn reference(incidence: RowIncidence, values: &Values<f64>, misfit: f64, spr
 fn covariance(values: &[f64], spread: f64) -> Vec<f64> {
     let share = |i: usize, j: usize| if i == j { 1.0 } else { 1.0 / 3.0 };
     let n = values.len();
-    let at = |i: usize, j: usize| spread * spread * share(i, j) * values[i] * values[j];
+    let at = |i: usize, j: usize| spread * spread * share(i, j) * room(values[i]) * room(values[j]);
     (0..n * n).map(|k| at(k / n, k % n)).collect()
 }
 
@@ -95,7 +101,7 @@ pub fn noisy(reference: &Reference, spread: f64, seed: u64) -> Reference {
     let mut disturb = |curves: &mut [Vec<f64>]| {
         let common = normal() * (1.0_f64 / 3.0).sqrt();
         for value in curves.iter_mut().flatten() {
-            *value *= 1.0 + spread * (common + normal() * (2.0_f64 / 3.0).sqrt());
+            *value += spread * room(*value) * (common + normal() * (2.0_f64 / 3.0).sqrt());
         }
     };
     let mut out = reference.clone();
