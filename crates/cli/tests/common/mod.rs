@@ -1,5 +1,7 @@
 //! Running the real binary.
 
+#![allow(dead_code, reason = "each test program uses its part")]
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
