@@ -121,6 +121,9 @@ fn misspelt_and_missing_keys_are_refused() {
     ] {
         assert!(toml::from_str::<OpticsConfig>(&PLAIN.replace(from, to)).is_err(), "{to}");
     }
+    let unknown = PLAIN.replace("[0.55]", "[0.55]\nrefractive_index = \"hale\"");
+    let message = toml::from_str::<OpticsConfig>(&unknown).unwrap_err().to_string();
+    assert!(message.contains("hale-querry-1973") && message.contains("line 3"), "{message}");
 }
 
 #[test]
@@ -133,6 +136,7 @@ fn numbers_out_of_range_are_named() {
         ("300", "300\ntheta_f_deg = 90", "theta_f_deg = 90"),
         ("[droplets]", "[tolerance]\nasymmetry = 0\n[droplets]", "tolerance.asymmetry = 0"),
         ("gamma = 2", "gamma = nan", "gamma = NaN"),
+        ("300", "300\nrefractive_index = [1.33, -0.1]", "k of m = n + ik = -0.1"),
     ] {
         let config: OpticsConfig = toml::from_str(&PLAIN.replace(from, to)).unwrap();
         let message = compute(&config).unwrap_err().to_string();
