@@ -9,8 +9,11 @@ use stratiform_codegen::{QUANTITIES, SelfTest, generate, self_test_module};
 use stratiform_gpu::Gpu;
 use stratiform_quantities::Incidence;
 
-/// Largest error of a flux: relative to 1 and, separately, to the flux itself.
+/// Largest error of a flux. Measured on Mesa 22.3 llvmpipe: 1.9e-7.
 const ABSOLUTE: f64 = 2e-6;
+/// Largest relative error of a flux above 1e-30. Measured: 4.7e-6, in exponentials of paths up to 70; of R_3+, a
+/// difference, 1.9e-5.
+const RELATIVE: f64 = 5e-5;
 
 fn input(test: &SelfTest) -> Vec<f32> {
     let pair = |mu_l: Incidence, tau: f64| {
@@ -48,6 +51,13 @@ fn errors(test: &SelfTest, output: &[f32]) -> [(f64, f64); 9] {
     worst
 }
 
+fn report(gpu: &Gpu, worst: &[(f64, f64); 9]) {
+    println!("{}\nflux      absolute relative", gpu.adapter());
+    for (quantity, (absolute, relative)) in QUANTITIES.iter().zip(worst) {
+        println!("{quantity:<9} {absolute:.1e}  {relative:.1e}");
+    }
+}
+
 #[test]
 fn the_shader_reproduces_the_model() {
     let Some(gpu) = device::device() else { return };
@@ -55,9 +65,19 @@ fn the_shader_reproduces_the_model() {
     let test: SelfTest = serde_json::from_str(&files["self_test.json"]).unwrap();
     let module = self_test_module(&files).unwrap();
     let worst = errors(&test, &execute(&gpu, &module, &test));
-    println!("{}", gpu.adapter());
-    for (quantity, (absolute, relative)) in QUANTITIES.iter().zip(worst) {
-        println!("{quantity:<9} {absolute:.1e} {relative:.1e}");
-    }
-    assert!(worst.iter().all(|error| error.0 < ABSOLUTE), "{worst:?}");
+    report(&gpu, &worst);
+    assert!(worst.iter().all(|error| error.0 < ABSOLUTE && error.1 < RELATIVE), "{worst:?}");
+}
+
+/// A slip of the size of a rounded constant is seen.
+#[test]
+fn a_planted_slip_in_the_shader_is_seen() {
+    let Some(gpu) = device::device() else { return };
+    let files = generate(&common::inputs()).unwrap();
+    let test: SelfTest = serde_json::from_str(&files["self_test.json"]).unwrap();
+    let module = self_test_module(&files).unwrap();
+    let planted = module.replacen("STRATIFORM_KAPPA_S: f32 = 0.545;", "STRATIFORM_KAPPA_S: f32 = 0.5451;", 1);
+    assert_ne!(planted, module);
+    let worst = errors(&test, &execute(&gpu, &planted, &test));
+    assert!(worst[2].0 > 10.0 * ABSOLUTE && worst[2].1 > RELATIVE, "{worst:?}");
 }
