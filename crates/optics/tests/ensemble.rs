@@ -84,6 +84,34 @@ fn one_size_is_one_sphere() {
     }
 }
 
+/// A gamma distribution read from a fine table is that distribution, in any unit of number.
+#[test]
+fn a_tabulated_distribution_is_averaged_like_its_law() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("sizes.csv");
+    let law = cloud(4.0).resolve().unwrap();
+    let rows: String =
+        (1..400).map(|i| 0.04 * f64::from(i)).map(|r| format!("{r},{}\n", 17.0 * law.density(r))).collect();
+    std::fs::write(&file, format!("radius_um,number\n{rows}")).unwrap();
+    let table = average(DropletDistribution::Tabulated { file }, [1.333, 1e-3], LOOSE).unwrap();
+    let closed = average(cloud(4.0), [1.333, 1e-3], LOOSE).unwrap();
+    assert!((table.asymmetry - closed.asymmetry).abs() < 1e-3, "{} {}", table.asymmetry, closed.asymmetry);
+    assert!((table.extinction.mie / closed.extinction.mie - 1.0).abs() < 1e-3);
+}
+
+/// Many small droplets with a long tail: a lognormal as wide as aerosols are.
+#[test]
+fn a_wide_lognormal_is_resolved() {
+    let law = DropletDistribution::Lognormal {
+        effective_radius_um: Some(1.0),
+        median_radius_um: None,
+        sigma: Some(0.6),
+        effective_variance: None,
+    };
+    let one = average(law, [1.45, 1e-3], LOOSE).unwrap();
+    assert!((one.phase.asymmetry() - one.asymmetry).abs() < 3e-4);
+}
+
 #[test]
 fn an_error_out_of_reach_is_refused_with_the_one_reached() {
     let tight = QuadratureTolerance { asymmetry: 1e-9, most_radii: 2048, ..LOOSE };
@@ -121,6 +149,9 @@ fn misspelt_and_missing_keys_are_refused() {
     ] {
         assert!(toml::from_str::<OpticsConfig>(&PLAIN.replace(from, to)).is_err(), "{to}");
     }
+    let unknown = PLAIN.replace("[0.55]", "[0.55]\nrefractive_index = \"hale\"");
+    let message = toml::from_str::<OpticsConfig>(&unknown).unwrap_err().to_string();
+    assert!(message.contains("hale-querry-1973") && message.contains("line 3"), "{message}");
 }
 
 #[test]
@@ -133,6 +164,7 @@ fn numbers_out_of_range_are_named() {
         ("300", "300\ntheta_f_deg = 90", "theta_f_deg = 90"),
         ("[droplets]", "[tolerance]\nasymmetry = 0\n[droplets]", "tolerance.asymmetry = 0"),
         ("gamma = 2", "gamma = nan", "gamma = NaN"),
+        ("300", "300\nrefractive_index = [1.33, -0.1]", "k of m = n + ik = -0.1"),
     ] {
         let config: OpticsConfig = toml::from_str(&PLAIN.replace(from, to)).unwrap();
         let message = compute(&config).unwrap_err().to_string();
