@@ -78,12 +78,13 @@ fn the_error_card_finds_planted_errors() {
     let grid = parameter_grid::<f64>(&inputs.parameters.optical).unwrap();
     let diffuse = diffuse_parameters::<f64>(&inputs.parameters.optical).unwrap();
     let beam = |mu: f64| (grid.at(mu).unwrap(), Incidence::beam(mu).unwrap());
-    let [(node, at_node), (middle, between)] = [beam(1.0), beam(0.25)];
+    let [(node, at_node), (middle, between), (low, grazing)] = [beam(1.0), beam(0.25), beam(0.1)];
     inputs.reference = points(&node, at_node, 0.0);
     inputs.reference.extend(points(&middle, between, 0.01));
+    inputs.reference.extend(points(&low, grazing, 0.02));
     inputs.reference.extend(points(&diffuse, Incidence::Diffuse, -0.03));
     let cards = error_card(&inputs).unwrap();
-    for (cards, planted) in cards.iter().zip([0.0, 0.01, 0.03]) {
+    for (cards, planted) in cards.iter().zip([0.0, 0.01, 0.02, 0.03]) {
         assert_eq!(cards.len(), QUANTITIES.len());
         for card in cards {
             assert_eq!(card.count, 3);
