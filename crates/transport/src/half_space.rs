@@ -36,7 +36,7 @@ struct HalfSpace<'a> {
     /// Ascending.
     bottoms: Vec<f64>,
     incidence: Incidence,
-    /// A collision absorbs where its random word is not below this.
+    /// A collision absorbs where its random word is not below this: ω to within 1.2·10⁻¹⁰.
     absorbs_from: u64,
     key: u64,
 }
