@@ -1,8 +1,9 @@
 //! Whether two fits of the same medium agree within their standard errors.
 //!
-//! Every parameter of the table in optical thickness gives z = (a - b)/√(σ_a² + σ_b²). All N of them are judged together: the
-//! largest |z| may exceed the threshold with probability α, and no more whatever their correlations (to O(α²)), if the fits are
-//! independent of each other and their errors normal; see [`family_threshold`]. Not compared are c, and with it b, of a row where one of the fits has no c.
+//! Every parameter of the table in optical thickness gives z = (a - b)/√(σ_a² + σ_b²). All N of them are
+//! judged together: the largest |z| may exceed the threshold with probability α, and no more whatever their
+//! correlations (to O(α²)), if the fits are independent of each other and their errors normal; see
+//! [`family_threshold`]. Not compared are c, and with it b, of a row where one of the fits has no c.
 
 use crate::FitError;
 use stratiform_artifact::{FittedParameter, ParameterRow, ParametersDocument};

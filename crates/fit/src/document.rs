@@ -1,7 +1,7 @@
 //! The table of parameters: fitted in optical thickness, converted to metres.
 //!
-//! With s = (1-β)/β and τ = κH: s, c, κ_c and κ_S per metre are κ times those per optical thickness; b, t, r stay. Hence
-//! β_m = 1/(1 + κs), and its error is κ(β_m/β_τ)² times that of β_τ.
+//! With s = (1-β)/β and τ = κH: s, c, κ_c and κ_S per metre are κ times those per optical thickness; b, t, r
+//! stay. Hence β_m = 1/(1 + κs), and its error is κ(β_m/β_τ)² times that of β_τ.
 
 use crate::orders_fit::{OrdersFit, fit_orders};
 use crate::totals_fit::{TotalsRow, fit_totals};
@@ -17,10 +17,12 @@ use stratiform_stats::Estimate;
 /// T_3+ and R_3+ below minus this are flagged.
 const NEGLIGIBLE_FLUX: f64 = 1e-3;
 
-/// Fits every row of the table: one per angle of the config, in its order, then, if there is one, the diffuse row.
+/// Fits every row of the table: one per angle of the config, in its order, then, if there is one, the diffuse
+/// row.
 ///
 /// # Errors
-/// [`FitError`] for a config, medium or reference that is out of domain, or references that do not belong to the config.
+/// [`FitError`] for a config, medium or reference that is out of domain, or references that do not belong to
+/// the config.
 pub fn fit(
     config: &FitConfig,
     references: &[Reference],

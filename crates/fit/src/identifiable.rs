@@ -2,9 +2,10 @@
 //!
 //! T_ms depends on c only through (1-b)(1 - e^{-cτ}). c is not identifiable if either
 //! * its standard error from the reference's covariance exceeds c/2, or
-//! * with c halved and b adapted the curve changes by less, in the root mean square over the grid, than the fit misses the data by:
-//!   what the form fails to follow anyhow could have chosen another c. In the published cloud this happens where b passes 1,
-//!   from about 43° to 50°; on its way there the best c runs off to one side and comes back from the other.
+//! * with c halved and b adapted the curve changes by less, in the root mean square over the grid, than the
+//!   fit misses the data by: what the form fails to follow anyhow could have chosen another c. In the
+//!   published cloud this happens where b passes 1, from about 43° to 50°; on its way there the best c runs
+//!   off to one side and comes back from the other.
 
 use crate::matrix::{dot, norm};
 use crate::{FitError, Reference};
@@ -19,7 +20,8 @@ pub(crate) struct Curve<'a> {
 }
 
 impl Curve<'_> {
-    /// How far c is from identifiable: not above 1, from its standard error (absent on a bound) and the row's misfit.
+    /// How far c is from identifiable: not above 1, from its standard error (absent on a bound) and the row's
+    /// misfit.
     pub fn doubt(&self, std_error: Option<f64>, residuals: &[f64]) -> f64 {
         let change = self.change_of_halved_c();
         let by_misfit = if change > 0.0 { norm(residuals) / change } else { f64::INFINITY };
@@ -41,36 +43,26 @@ impl Curve<'_> {
     }
 }
 
-/// μ_l of a row; diffuse light counts as its mean cosine, 2/3.
-fn cosine(reference: &Reference) -> Result<f64, FitError> {
-    Ok(match reference.light()? {
-        Incidence::Beam(mu) => mu.get(),
-        Incidence::Diffuse => 2.0 / 3.0,
-    })
-}
-
-/// For each row without c, the value to hold it at: log c interpolated over μ_l between the nearest angles that have one, the
-/// nearest one's beyond them, and the middle of the bounds where none has.
+/// For each angle without c, the value to hold it at: log c interpolated over μ_l between the nearest angles
+/// that have one, the nearest one's beyond them, and the middle of the bounds where none has. Diffuse light
+/// has no neighbours: its c stays free.
 pub(crate) fn interpolated(
     references: &[Reference],
     c: &[Option<f64>],
     [lower, upper]: [f64; 2],
 ) -> Result<Vec<Option<f64>>, FitError> {
-    let mut nodes = Vec::new();
-    for (reference, c) in references.iter().zip(c) {
-        if let (Some(c), Some(_)) = (c, reference.incidence.degrees()) {
-            nodes.push((cosine(reference)?, libm::log(*c)));
-        }
+    let mut cosines = Vec::with_capacity(references.len());
+    for reference in references {
+        cosines.push(match reference.light()? {
+            Incidence::Beam(mu) => Some(mu.get()),
+            Incidence::Diffuse => None,
+        });
     }
-    let fill = |(reference, c): (&Reference, &Option<f64>)| -> Result<Option<f64>, FitError> {
-        if c.is_some() {
-            return Ok(None);
-        }
-        let mu = cosine(reference)?;
-        let middle = 0.5 * libm::log(lower * upper);
-        Ok(Some(libm::exp(between(&nodes, mu).unwrap_or(middle)).clamp(lower, upper)))
-    };
-    references.iter().zip(c).map(fill).collect()
+    let node = |(mu, c): (&Option<f64>, &Option<f64>)| Some(((*mu)?, libm::log((*c)?)));
+    let nodes: Vec<(f64, f64)> = cosines.iter().zip(c).filter_map(node).collect();
+    let middle = 0.5 * libm::log(lower * upper);
+    let held = |mu: f64| libm::exp(between(&nodes, mu).unwrap_or(middle)).clamp(lower, upper);
+    Ok(cosines.iter().zip(c).map(|(mu, c)| if c.is_none() { mu.map(held) } else { None }).collect())
 }
 
 /// Linear interpolation between the nearest nodes (in any order) on either side.

@@ -1,9 +1,10 @@
 //! From reference fluxes to the parameters of the one-dimensional model.
 //!
 //! * [`least_squares`]: bounded Levenberg–Marquardt on [`argmin`], for any problem.
-//! * [`fit`]: β, b, c from the totals of the full medium, κ_c, t, r from the orders of the modified one, at uniform absolute
-//!   weight on the config's thickness grid. The weights do not follow the reference's noise, because the model is not the
-//!   truth: where it fails, better data must not change what is fitted. The noise enters the errors only.
+//! * [`fit`]: β, b, c from the totals of the full medium, κ_c, t, r from the orders of the modified one, at
+//!   uniform absolute weight on the config's thickness grid. The weights do not follow the reference's noise,
+//!   because the model is not the truth: where it fails, better data must not change what is fitted. The
+//!   noise enters the errors only.
 //! * [`compare`]: whether two fits agree within their errors.
 //!
 //! Thickness is optical thickness of the full medium throughout; the document carries metres beside it.

@@ -1,8 +1,10 @@
-//! The totals: T_ms = (b + (1-b)e^{-cτ})/(1 + (1-β)τ/β) of the full medium, fitted with one β for all its rows.
+//! The totals: T_ms = (b + (1-b)e^{-cτ})/(1 + (1-β)τ/β) of the full medium, fitted with one β for all its
+//! rows.
 //!
-//! Parameters are β, then (b, c) of each row. The sum of squares has several minima where b is near 1. Given β and
-//! c it is quadratic in b, hence a start is found by scanning β and c on logarithmic grids with the best b in closed
-//! form; after the fit each row is scanned again at the fitted β, and the fit repeated from any better point found.
+//! Parameters are β, then (b, c) of each row. The sum of squares has several minima where b is near 1. Given
+//! β and c it is quadratic in b, hence a start is found by scanning β and c on logarithmic grids with the
+//! best b in closed form; after the fit each row is scanned again at the fitted β, and the fit repeated from
+//! any better point found.
 
 use crate::config::ParameterBounds;
 use crate::least_squares::{Bounds, LeastSquares, Options, Solution, solve};

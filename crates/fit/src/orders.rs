@@ -1,7 +1,7 @@
 //! The orders: T_1, T_2, R_1, R_2 of the modified medium, fitted by κ_c, t, r of each row.
 //!
-//! T_1 and R_1 are linear in t and r once κ_c is given. A scan of κ_c on a logarithmic grid gives the starts: every local
-//! minimum of the scan, of which the lowest fitted one is kept.
+//! T_1 and R_1 are linear in t and r once κ_c is given. A scan of κ_c on a logarithmic grid gives the starts:
+//! every local minimum of the scan, of which the lowest fitted one is kept.
 
 use crate::config::ParameterBounds;
 use crate::least_squares::{Bounds, LeastSquares, Options, Solution, solve};

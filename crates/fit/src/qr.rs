@@ -130,7 +130,7 @@ impl PivotedQr {
         y
     }
 
-    /// A⁺ᵀ-free factor of the covariance: F with F·Fᵀ = (AᵀA)⁻¹, or `None` below full rank.
+    /// F with F·Fᵀ = (AᵀA)⁻¹, or `None` below full rank.
     pub fn covariance_factor(&self) -> Option<Matrix> {
         if !self.has_full_rank() {
             return None;

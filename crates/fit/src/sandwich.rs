@@ -1,8 +1,9 @@
 //! Errors of fitted parameters from the covariance of the data, where the model is not the truth.
 //!
-//! The fit makes p an implicit function of the data y through Jᵀr = 0. Differentiated: H dp = Jᵀ dy - H_u du, with
-//! H = JᵀJ + Σrᵢ∇²rᵢ the full Hessian and u what another fit supplied. So C_p = A C_y Aᵀ + B C_u Bᵀ, A = H⁻¹Jᵀ, B = -H⁻¹H_u
-//! (White 1982, Econometrica 50, 1, called the sandwich). The second term of H by central differences of J.
+//! The fit makes p an implicit function of the data y through Jᵀr = 0. Differentiated: H dp = Jᵀ dy - H_u du,
+//! with H = JᵀJ + Σrᵢ∇²rᵢ the full Hessian and u what another fit supplied. So C_p = A C_y Aᵀ + B C_u Bᵀ, A =
+//! H⁻¹Jᵀ, B = -H⁻¹H_u (White 1982, Econometrica 50, 1, called the sandwich). The second term of H by central
+//! differences of J.
 
 use crate::least_squares::{LeastSquares, Solution};
 use crate::matrix::dot;
@@ -29,8 +30,8 @@ pub(crate) struct Covariance {
 const RELATIVE_STEP: f64 = 1e-5;
 
 impl Sensitivity {
-    /// At a minimum inside the intervals `allowed`. Parameters on a bound are taken as fixed, without error, but for those
-    /// `supplied` with a variance. `None` where H is singular.
+    /// At a minimum inside the intervals `allowed`. Parameters on a bound are taken as fixed, without error,
+    /// but for those `supplied` with a variance. `None` where H is singular.
     pub fn new<L: LeastSquares>(
         problem: &L,
         solution: &Solution,
@@ -112,7 +113,8 @@ fn hessian<L: LeastSquares>(
     for &j in moved {
         let h = RELATIVE_STEP * p[j].abs().max(RELATIVE_STEP);
         let [lower, upper] = allowed[j];
-        // A supplied parameter has no room between its bounds: one step down from it is inside every model's domain.
+        // A supplied parameter has no room between its bounds: one step down from it is inside every model's
+        // domain.
         let ends =
             if lower < upper { [(p[j] - h).max(lower), (p[j] + h).min(upper)] } else { [p[j] - h, p[j]] };
         for (end, sign) in ends.into_iter().zip([-1.0, 1.0]) {
@@ -191,8 +193,8 @@ mod tests {
         (Decay(vec![0.7, 1.2, -0.3, 0.6, -0.1]), [0.3, -1.0, 0.5, 0.2, 0.7])
     }
 
-    /// Refits with the data moved along one direction give dp; the covariance of that direction must be dp·dpᵀ. Without
-    /// the second derivatives of the model it would be far off here.
+    /// Refits with the data moved along one direction give dp; the covariance of that direction must be
+    /// dp·dpᵀ. Without the second derivatives of the model it would be far off here.
     #[test]
     fn the_sensitivity_is_that_of_refits() {
         let (decay, direction) = data();

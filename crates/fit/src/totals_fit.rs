@@ -1,9 +1,9 @@
 //! β, b and c of every row, with errors.
 //!
-//! One β is fitted to the rows up to the config's angle; the rows beyond it and the diffuse row are fitted with that β
-//! held, whose error enters theirs. Where c is [not identifiable](crate::identifiable) its table entry is empty: c is
-//! then held at the value interpolated between the neighbours (log c over μ_l) and everything fitted again, so that the
-//! emitted (b, c) is the best pair with a c continuous in θ_l.
+//! One β is fitted to the rows up to the config's angle; the rows beyond it and the diffuse row are fitted
+//! with that β held, whose error enters theirs. Where c is [not identifiable](crate::identifiable) its table
+//! entry is empty: c is then held at the value interpolated between the neighbours (log c over μ_l) and
+//! everything fitted again, so that the emitted (b, c) is the best pair with a c continuous in θ_l.
 
 use crate::config::{FitConfig, ParameterBounds};
 use crate::identifiable::{Curve, interpolated};
@@ -143,21 +143,21 @@ impl GroupFit {
         Curve { tau, beta: p[0], b: p[b], c: p[b + 1] }.doubt(self.std_error(b + 1), residuals)
     }
 
-    fn row(&self, reference: usize, tau: &[f64], c_held: bool) -> TotalsRow {
+    fn row(&self, reference: usize, tau: &[f64], without_c: bool) -> TotalsRow {
         let (b, residuals) = self.of(reference, tau);
         let on_bound = |place: usize| self.solution.on_bound[place];
         let flags = [
-            (c_held, Flag::CNotIdentifiable),
+            (without_c, Flag::CNotIdentifiable),
             (on_bound(b), Flag::BOnBound),
-            (on_bound(b + 1) && !c_held, Flag::COnBound),
+            (on_bound(b + 1) && !without_c, Flag::COnBound),
             (self.group.beta_fixed, Flag::BetaFixed),
             (!self.solution.outcome.has_converged(), Flag::NotConverged),
         ];
         let [at_b, at_c] = [self.solution.parameters[b], self.solution.parameters[b + 1]];
-        let error_of_c = if c_held { None } else { self.std_error(b + 1) };
+        let error_of_c = if without_c { None } else { self.std_error(b + 1) };
         TotalsRow {
             b: FittedParameter { value: Some(at_b), std_error: self.std_error(b), emitted: at_b },
-            c: FittedParameter { value: (!c_held).then_some(at_c), std_error: error_of_c, emitted: at_c },
+            c: FittedParameter { value: (!without_c).then_some(at_c), std_error: error_of_c, emitted: at_c },
             correlation: self.covariance.as_ref().and_then(|c| c.correlation(b, b + 1)),
             residuals: residuals.to_vec(),
             flags: flags.into_iter().filter(|f| f.0).map(|f| f.1).collect(),

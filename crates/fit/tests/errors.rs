@@ -1,4 +1,5 @@
 //! Propagated errors against the scatter of repeated fits, and the comparison of two fits.
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test that prints what it measured")]
 
 mod support;
 
@@ -29,8 +30,8 @@ fn chi_square_bound(n: f64, z: f64) -> f64 {
     cube_root * cube_root * cube_root
 }
 
-/// 31 ratios of scatter to propagated variance over 300 replicates, each within its 99.9 % interval: correct errors fail for
-/// at most 3 % of seeds. Errors 20 % off are refused.
+/// 31 ratios of scatter to propagated variance over 300 replicates, each within its 99.9 % interval: correct
+/// errors fail for at most 3 % of seeds. Errors 20 % off are refused.
 #[test]
 fn errors_are_those_of_repeated_fits() {
     const REPLICATES: u64 = 300;

@@ -1,9 +1,12 @@
 //! The optimiser's own behaviour: bounds, outcomes, derivatives.
+#![allow(clippy::unwrap_used, reason = "a test")]
 
+use rand::Rng;
 use stratiform_fit::least_squares::{
     Bounds, Criterion, LeastSquares, Options, Outcome, numerical_jacobian, solve,
 };
 use stratiform_fit::{FitError, Matrix};
+use stratiform_stats::{Purpose, key, photon_stream};
 
 /// Rosenbrock's valley, (10(y - x²), 1 - x), with a factor on the derivatives.
 struct Valley {
@@ -21,7 +24,7 @@ impl LeastSquares for Valley {
     }
 
     fn jacobian(&self, p: &[f64], out: &mut Matrix) -> Result<(), FitError> {
-        out.column_mut(0).copy_from_slice(&[-20.0 * p[0] * self.slip, -1.0 * self.slip]);
+        out.column_mut(0).copy_from_slice(&[-20.0 * p[0] * self.slip, -self.slip]);
         out.column_mut(1).copy_from_slice(&[10.0, 0.0]);
         Ok(())
     }
@@ -55,7 +58,7 @@ fn a_bound_is_met_exactly_and_the_rest_is_minimised() {
     }
 }
 
-/// With y ≤ 0.3 the other variable solves 200x³ + (1 - 60)x·... : d/dx [100(0.3-x²)² + (1-x)²]/2 = 0.
+/// With y = 0.3 the other variable makes d/dx ½[100(0.3 - x²)² + (1 - x)²] vanish.
 #[test]
 fn the_gradient_vanishes_along_the_bound() {
     let solution = valley([0.0, 0.0], [WIDE, [-1.0, 0.3]]);
@@ -96,7 +99,7 @@ fn too_few_steps_are_reported() {
     assert_eq!((solution.outcome, solution.iterations), (Outcome::IterationLimit, 3));
 }
 
-/// √p - 2, without a value for p < 0: the first full step from p = 0.01 or 25 may leave the domain and must come back.
+/// √p - 2, without a value for p < 0, where the full step from p = 25 ends.
 struct Root;
 
 impl LeastSquares for Root {
@@ -146,4 +149,60 @@ fn differences_agree_with_the_analytic_jacobian() {
             assert!((analytic.get(i, j) - numeric.get(i, j)).abs() < 1e-10);
         }
     }
+}
+
+/// A·p - y, whose minimum in a box is unique.
+struct Linear {
+    a: Matrix,
+    y: Vec<f64>,
+}
+
+impl LeastSquares for Linear {
+    fn residual_count(&self) -> usize {
+        self.y.len()
+    }
+
+    fn residuals(&self, p: &[f64], out: &mut [f64]) -> Result<(), FitError> {
+        let model = self.a.times(p);
+        out.iter_mut().zip(model).zip(&self.y).for_each(|((r, m), y)| *r = m - y);
+        Ok(())
+    }
+
+    fn jacobian(&self, _p: &[f64], out: &mut Matrix) -> Result<(), FitError> {
+        out.clone_from(&self.a);
+        Ok(())
+    }
+}
+
+/// Random problems of four correlated parameters in a box: at the minimum the gradient vanishes, or points out of the
+/// box at a bound (Karush, Kuhn & Tucker).
+#[test]
+fn the_minimum_in_a_box_fulfils_its_conditions() {
+    let mut rng = photon_stream(key(7, Purpose::Calibration), 0);
+    let mut uniform = || f64::from(rng.next_u32()) / 4_294_967_296.0 - 0.5;
+    let mut bound = 0;
+    for case in 0..500 {
+        let mut a = Matrix::zeros(7, 4);
+        for j in 0..4 {
+            let common = uniform();
+            a.column_mut(j).iter_mut().for_each(|v| *v = common + 0.5 * uniform());
+        }
+        let problem = Linear { a, y: (0..7).map(|_| uniform()).collect() };
+        let intervals: Vec<[f64; 2]> =
+            (0..4).map(|_| [-0.5 + 0.4 * uniform(), 0.5 + 0.4 * uniform()]).collect();
+        let bounds = Bounds::new(&intervals).unwrap();
+        let solution = solve(&problem, &[0.0; 4], &bounds, &Options::default()).unwrap();
+        assert!(solution.outcome.has_converged(), "{case}: {}", solution.outcome);
+        let gradient = problem.a.transposed_times(&solution.residuals);
+        for (i, g) in gradient.into_iter().enumerate() {
+            let [lower, upper] = intervals[i];
+            let p = solution.parameters[i];
+            assert!((lower..=upper).contains(&p));
+            let outward = if p == lower { g } else { -g };
+            let fulfilled = if solution.on_bound[i] { outward > -1e-9 } else { g.abs() < 1e-9 };
+            assert!(fulfilled, "{case}: gradient {g} at {p} in [{lower}, {upper}]");
+            bound += u32::from(solution.on_bound[i]);
+        }
+    }
+    assert!((500..1500).contains(&bound), "{bound} of 2000 on a bound: the test tests little");
 }

@@ -42,8 +42,8 @@ fn both_tables_describe_the_same_curves() {
     }
 }
 
-/// Where b passes 1, c has no value, be it for the misfit's sake (44°) or the noise's (46°); what is emitted is
-/// continuous, and the curve hardly worse.
+/// Where b passes 1, c has no value, be it for the misfit's sake (44°) or the noise's (46°); what is emitted
+/// is continuous, and the curve hardly worse.
 #[test]
 fn c_without_influence_is_left_empty() {
     let angles = [0.0, 40.0, 44.0, 46.0, 50.0];

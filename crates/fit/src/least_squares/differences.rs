@@ -3,8 +3,8 @@
 use super::LeastSquares;
 use crate::{FitError, Matrix};
 
-/// The Jacobian by the five-point central rule: error O(h⁴), with h = ε^{1/5}·max(|p|, `scale`), which leaves about
-/// 3e-13 of the residuals' size. Evaluates up to 2h beyond `p` to either side, bounds or not.
+/// The Jacobian by the five-point central rule: error O(h⁴), with h = ε^{1/5}·max(|p|, `scale`), which leaves
+/// about 3e-13 of the residuals' size. Evaluates up to 2h beyond `p` to either side, bounds or not.
 ///
 /// # Errors
 /// Those of [`LeastSquares::residuals`].

@@ -50,9 +50,9 @@ impl LinearModel {
         })
     }
 
-    /// The step of least r + J·s inside the box, |scale·s| ≤ `radius`. On the way to the minimiser over the free
-    /// variables the first one to meet its bound stops there and is fixed; then the rest is solved again. Each leg
-    /// descends, so the whole step does.
+    /// The step of least r + J·s inside the box, |scale·s| ≤ `radius`. On the way to the minimiser over the
+    /// free variables the first one to meet its bound stops there and is fixed; then the rest is solved
+    /// again. Each leg descends, so the whole step does.
     pub fn step(&self, bounds: &Bounds, scale: &[f64], radius: f64) -> Step {
         let mut free = self.free(bounds);
         let mut moved = vec![0.0; self.point.len()];
@@ -80,7 +80,8 @@ impl LinearModel {
         self.judge(target, &moved, scale, full)
     }
 
-    /// Which of `free` meets its bound first on the way from `moved` to `goal`: place, share of the way, bound.
+    /// Which of `free` meets its bound first on the way from `moved` to `goal`: place, share of the way,
+    /// bound.
     fn first_hit(
         &self,
         bounds: &Bounds,

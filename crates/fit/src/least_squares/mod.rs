@@ -1,13 +1,14 @@
 //! Bounded nonlinear least squares: minimise ½Σrᵢ(p)² subject to lower ≤ p ≤ upper.
 //!
-//! Levenberg–Marquardt in the trust-region form of Moré (1978, Lecture Notes in Mathematics 630, 105), run as an
-//! [`argmin`] solver. Every linear problem is solved by QR of the column-scaled Jacobian, never through its normal
-//! equations. Bounds are kept by an active set inside each step: a variable that meets its bound stops exactly on
-//! it, and is freed once the gradient points inward.
+//! Levenberg–Marquardt in the trust-region form of Moré (1978, Lecture Notes in Mathematics 630, 105), run as
+//! an [`argmin`] solver. Every linear problem is solved by QR of the column-scaled Jacobian, never through
+//! its normal equations. Bounds are kept by an active set inside each step: a variable that meets its bound
+//! stops exactly on it, and is freed once the gradient points inward.
 //!
-//! Three criteria mean convergence, all judged on the *full* step, the one the linear model would take without a trust
-//! radius, so that a radius shrunk by wrong derivatives is not mistaken for convergence:
-//! the gradient (`gtol`), the predicted decrease (`ftol`, squared relative offset of Bates & Watts 1981), the step (`xtol`).
+//! Three criteria mean convergence, all judged on the *full* step, the one the linear model would take
+//! without a trust radius, so that a radius shrunk by wrong derivatives is not mistaken for convergence: the
+//! gradient (`gtol`), the predicted decrease (`ftol`, squared relative offset of Bates & Watts 1981), the
+//! step (`xtol`).
 
 mod bounds;
 mod differences;

@@ -7,7 +7,8 @@ use std::fmt;
 pub struct Options {
     /// Largest predicted relative decrease of the sum of squares at convergence.
     pub ftol: f64,
-    /// Largest full step at convergence, relative to the parameters, in the norm scaled by the Jacobian's columns.
+    /// Largest full step at convergence, relative to the parameters, in the norm scaled by the Jacobian's
+    /// columns.
     pub xtol: f64,
     /// Largest cosine between the residuals and a column of the Jacobian at convergence.
     pub gtol: f64,

@@ -60,8 +60,8 @@ impl Solution {
         Some(factor)
     }
 
-    /// Standard errors from the residuals' own scatter: √(Σr²/(m - n) · diag (JᵀJ)⁻¹). `None` where m = n or J has
-    /// not full rank.
+    /// Standard errors from the residuals' own scatter: √(Σr²/(m - n) · diag (JᵀJ)⁻¹). `None` where m = n or
+    /// J has not full rank.
     pub fn scatter_errors(&self) -> Option<Vec<f64>> {
         let (m, n) = (self.residuals.len(), self.parameters.len());
         let factor = self.covariance_factor().filter(|_| m > n)?;
@@ -105,8 +105,8 @@ impl<L: LeastSquares + ?Sized> Jacobian for Adapter<'_, L> {
 /// Minimises ½Σr² from `start` inside `bounds`.
 ///
 /// # Errors
-/// [`FitError`] for a start outside the bounds, fewer residuals than parameters, or an error of the problem itself.
-/// Not reaching a minimum is no error but an [`Outcome`].
+/// [`FitError`] for a start outside the bounds, fewer residuals than parameters, or an error of the problem
+/// itself. Not reaching a minimum is no error but an [`Outcome`].
 pub fn solve<L: LeastSquares + ?Sized>(
     problem: &L,
     start: &[f64],

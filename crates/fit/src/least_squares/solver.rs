@@ -1,10 +1,12 @@
 //! Levenberg–Marquardt as an [`argmin::core::Solver`]: one iteration tries one step.
 //!
-//! The trust radius follows Moré 1978: a ratio of actual to predicted decrease below ¼ shrinks it (to a tenth at most,
-//! by a parabola through both), above ¾ or for a full step it becomes twice the step; ratios below 1e-4 reject the step.
+//! The trust radius follows Moré 1978: a ratio of actual to predicted decrease below ¼ shrinks it (to a tenth
+//! at most, by a parabola through both), above ¾ or for a full step it becomes twice the step; ratios below
+//! 1e-4 reject the step.
 //!
-//! Sums of squares resolve parameters only to the square root of the rounding error. Once the predicted decrease is below that,
-//! full steps are taken as long as each shrinks the decrease predicted after it; the first that does not is the end.
+//! Sums of squares resolve parameters only to the square root of the rounding error. Once the predicted
+//! decrease is below that, full steps are taken as long as each shrinks the decrease predicted after it; the
+//! first that does not is the end.
 
 use super::linear_model::{LinearModel, Step};
 use super::problem::column_norms;

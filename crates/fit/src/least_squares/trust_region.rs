@@ -1,7 +1,8 @@
 //! The Levenberg–Marquardt parameter: least |A·s + b| with |s| ≤ Δ, to 10 % of Δ.
 //!
-//! Moré 1978, section 5: Newton's method on 1/Δ - 1/|s(α)|, with s(α) from QR of R stacked on √α·1, safeguarded by
-//! an interval that always holds the root. A is already scaled, so that the region is a sphere.
+//! Moré 1978, section 5: Newton's method on 1/Δ - 1/|s(α)|, with s(α) from QR of R stacked on √α·1,
+//! safeguarded by an interval that always holds the root. A is already scaled, so that the region is a
+//! sphere.
 
 use crate::matrix::norm;
 use crate::{Matrix, qr::PivotedQr};

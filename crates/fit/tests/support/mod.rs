@@ -1,5 +1,5 @@
 //! References made from the model itself, with whatever is added to it.
-#![allow(dead_code, reason = "each test program uses a part")]
+#![allow(dead_code, clippy::unwrap_used, reason = "support of tests, each of which uses a part")]
 
 use rand::Rng;
 use stratiform_artifact::{MediumRecord, ParametersDocument, Provenance, RowIncidence};
@@ -60,8 +60,8 @@ fn room(flux: f64) -> f64 {
     flux * (1.0 - flux)
 }
 
-/// The model's own fluxes f with a smooth misfit of this amplitude times f(1-f), and standard errors of `spread` times that,
-/// a third of whose variance is common to all thicknesses.
+/// The model's own fluxes f with a smooth misfit of this amplitude times f(1-f), and standard errors of
+/// `spread` times that, a third of whose variance is common to all thicknesses.
 pub fn reference(incidence: RowIncidence, values: &Values<f64>, misfit: f64, spread: f64) -> Reference {
     let tau: Vec<f64> = ThicknessGrid::default().metres().iter().map(|h| h * KAPPA).collect();
     let parameters = Parameters::new(values, Incidence::Diffuse).unwrap();
