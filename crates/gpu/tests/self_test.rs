@@ -1,5 +1,9 @@
 //! The emitted shader, executed, against the f64 model at the self-test vectors.
-#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may stop where it fails, and says what it measured"
+)]
 
 #[path = "../../codegen/tests/common/mod.rs"]
 mod common;
