@@ -1,45 +1,44 @@
 //! Whether the totals determine c, and what stands in where they do not.
 //!
-//! T_ms depends on c only through (1-b)(1 - e^{-cτ}). Two errors are held against c, either of which makes it
-//! unidentifiable above c/2: the standard error from the reference's covariance, and the misfit's own,
-//! √(Σr²/(n-2) · [(JᵀJ)⁻¹]_cc) with J by (b, c) of this row. The second says that c could be moved by half its value with a
-//! change of the curve no larger than what the form fails to follow anyhow. In the published cloud this happens near 44°.
+//! T_ms depends on c only through (1-b)(1 - e^{-cτ}). c is not identifiable if either
+//! * its standard error from the reference's covariance exceeds c/2, or
+//! * with c halved and b adapted the curve changes by less, in the root mean square over the grid, than the fit misses the data by:
+//!   what the form fails to follow anyhow could have chosen another c. In the published cloud this happens where b passes 1,
+//!   from about 43° to 50°; on its way there the best c runs off to one side and comes back from the other.
 
 use crate::matrix::{dot, norm};
-use crate::qr::PivotedQr;
-use crate::{FitError, Matrix, Reference};
+use crate::{FitError, Reference};
 use stratiform_quantities::Incidence;
 
-/// Above this error relative to c it is not identifiable.
-pub(crate) const LARGEST_RELATIVE_ERROR: f64 = 0.5;
-
-/// The larger of both errors relative to c, from its standard error (absent on a bound), the row's residuals and its
-/// derivatives by b and c.
-pub(crate) fn relative_error(
-    c: f64,
-    std_error: Option<f64>,
-    residuals: &[f64],
-    by_b: &[f64],
-    by_c: &[f64],
-) -> f64 {
-    std_error.unwrap_or(0.0).max(misfit_error(residuals, by_b, by_c)) / c
+/// A fitted curve of T_ms.
+pub(crate) struct Curve<'a> {
+    pub tau: &'a [f64],
+    pub beta: f64,
+    pub b: f64,
+    pub c: f64,
 }
 
-/// The error of c that the misfit supports; infinite where c has no influence of its own.
-fn misfit_error(residuals: &[f64], by_b: &[f64], by_c: &[f64]) -> f64 {
-    let lengths = [norm(by_b), norm(by_c)];
-    if lengths[1] == 0.0 || residuals.len() < 3 {
-        return f64::INFINITY;
+impl Curve<'_> {
+    /// How far c is from identifiable: not above 1, from its standard error (absent on a bound) and the row's misfit.
+    pub fn doubt(&self, std_error: Option<f64>, residuals: &[f64]) -> f64 {
+        let change = self.change_of_halved_c();
+        let by_misfit = if change > 0.0 { norm(residuals) / change } else { f64::INFINITY };
+        by_misfit.max(std_error.unwrap_or(0.0) / (0.5 * self.c))
     }
-    let mut scaled = Matrix::zeros(residuals.len(), 2);
-    for (j, column) in [by_b, by_c].into_iter().enumerate() {
-        let length = if lengths[j] > 0.0 { lengths[j] } else { 1.0 };
-        scaled.column_mut(j).iter_mut().zip(column).for_each(|(to, from)| *to = from / length);
+
+    /// Norm of the change with half of c and the b that changes the curve least.
+    fn change_of_halved_c(&self) -> f64 {
+        let slope = (1.0 - self.beta) / self.beta;
+        // The curve is base - (1-b)·shape(c) with these two.
+        let shape = |c: f64| -> Vec<f64> {
+            self.tau.iter().map(|tau| -libm::expm1(-c * tau) / (1.0 + slope * tau)).collect()
+        };
+        let (own, halved) = (shape(self.c), shape(0.5 * self.c));
+        let factor = dot(&own, &halved) / dot(&halved, &halved);
+        let change: Vec<f64> =
+            own.iter().zip(&halved).map(|(o, h)| (1.0 - self.b) * (o - factor * h)).collect();
+        norm(&change)
     }
-    let scatter = dot(residuals, residuals) / (residuals.len() - 2) as f64;
-    let Some(factor) = PivotedQr::new(scaled).covariance_factor() else { return f64::INFINITY };
-    let unit = norm(&[factor.get(1, 0), factor.get(1, 1)]);
-    scatter.sqrt() * unit / lengths[1]
 }
 
 /// μ_l of a row; diffuse light counts as its mean cosine, 2/3.
@@ -89,16 +88,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn c_is_judged_by_both_errors() {
-        let (by_b, by_c) = ([0.0, 0.5, 1.0, 1.0], [0.0, 0.2, 0.1, 0.0]);
-        let judge = |misfit: f64, error| {
-            relative_error(1.0, error, &[misfit, -misfit, misfit, -misfit], &by_b, &by_c)
-        };
-        assert_eq!(judge(1e-3, Some(0.6)), 0.6);
-        assert!(judge(1e-3, None) < 0.1 && judge(0.2, Some(0.1)) > 0.5);
-        assert_eq!(relative_error(1.0, None, &[0.0; 4], &by_b, &[0.0; 4]), f64::INFINITY, "no influence");
-        let same = relative_error(1.0, None, &[1e-9; 4], &by_b, &by_b.map(|b| 2.0 * b));
-        assert_eq!(same, f64::INFINITY, "indistinguishable from b");
+    fn c_is_judged_by_noise_and_misfit() {
+        let tau: Vec<f64> = (1..20).map(|k| 0.3 * f64::from(k)).collect();
+        let doubt =
+            |b, c, error, misfit: f64| Curve { tau: &tau, beta: 0.9, b, c }.doubt(error, &[misfit; 19]);
+        assert!(doubt(0.5, 1.0, Some(0.1), 1e-3) < 1.0);
+        assert!(doubt(0.5, 1.0, Some(0.6), 1e-3) > 1.0, "noise");
+        assert!(doubt(0.5, 1.0, Some(0.1), 0.1) > 1.0, "misfit");
+        assert!(doubt(0.99, 1.0, None, 1e-3) > 1.0, "b near 1");
+        assert_eq!(doubt(1.0, 1.0, None, 0.0), f64::INFINITY, "b = 1");
+        // (1-b)c alone counts in the limit of small c.
+        assert!(doubt(0.5, 1e-4, None, 1e-6) > 1.0, "c too small to bend the curve");
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //! emitted (b, c) is the best pair with a c continuous in θ_l.
 
 use crate::config::{FitConfig, ParameterBounds};
-use crate::identifiable::{LARGEST_RELATIVE_ERROR, interpolated, relative_error};
+use crate::identifiable::{Curve, interpolated};
 use crate::least_squares::{Outcome, Solution};
 use crate::multiple::{Held, Totals, place_of_b};
 use crate::sandwich::{Covariance, Sensitivity};
@@ -53,9 +53,9 @@ pub(crate) fn fit_totals(
     let mut held = vec![None; references.len()];
     loop {
         let fits = fit_groups(config, tau, references, &held)?;
-        let judged = rows.clone().filter(|&i| !without_c[i]).map(|i| (i, find(&fits, i).error_of_c(i, tau)));
+        let judged = rows.clone().filter(|&i| !without_c[i]).map(|i| (i, find(&fits, i).doubt(i, tau)));
         let worst = judged.fold((0, 0.0), |worst, next| if next.1 > worst.1 { next } else { worst });
-        if worst.1 <= LARGEST_RELATIVE_ERROR {
+        if worst.1 <= 1.0 {
             let row = |i| find(&fits, i).row(i, tau, without_c[i]);
             return Ok(TotalsFit { beta: beta(&fits[0]), rows: rows.map(row).collect() });
         }
@@ -123,10 +123,9 @@ fn fit_group(
 
 impl GroupFit {
     /// Place of b in the parameters, and the residuals, of a reference.
-    fn of(&self, reference: usize, tau: &[f64]) -> (usize, usize, &[f64]) {
+    fn of(&self, reference: usize, tau: &[f64]) -> (usize, &[f64]) {
         let row = self.group.members.iter().position(|&i| i == reference).unwrap_or(0);
-        let first = row * tau.len();
-        (place_of_b(row), first, &self.solution.residuals[first..first + tau.len()])
+        (place_of_b(row), &self.solution.residuals[row * tau.len()..(row + 1) * tau.len()])
     }
 
     fn std_error(&self, place: usize) -> Option<f64> {
@@ -137,16 +136,15 @@ impl GroupFit {
         self.solution.parameters[self.of(reference, tau).0 + 1]
     }
 
-    /// The relative error of c of a reference.
-    fn error_of_c(&self, reference: usize, tau: &[f64]) -> f64 {
-        let (b, first, residuals) = self.of(reference, tau);
-        let column = |j: usize| &self.solution.jacobian.column(j)[first..first + tau.len()];
-        let c = self.solution.parameters[b + 1];
-        relative_error(c, self.std_error(b + 1), residuals, column(b), column(b + 1))
+    /// Doubt about c of a reference.
+    fn doubt(&self, reference: usize, tau: &[f64]) -> f64 {
+        let (b, residuals) = self.of(reference, tau);
+        let p = &self.solution.parameters;
+        Curve { tau, beta: p[0], b: p[b], c: p[b + 1] }.doubt(self.std_error(b + 1), residuals)
     }
 
     fn row(&self, reference: usize, tau: &[f64], c_held: bool) -> TotalsRow {
-        let (b, _, residuals) = self.of(reference, tau);
+        let (b, residuals) = self.of(reference, tau);
         let on_bound = |place: usize| self.solution.on_bound[place];
         let flags = [
             (c_held, Flag::CNotIdentifiable),

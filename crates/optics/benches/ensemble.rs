@@ -1,13 +1,16 @@
-//! Times the averages over the paper's cloud and prints error against radii and seconds.
+//! Times the averages over the paper's cloud, prints error against radii and seconds, and times `scatrs` on one
+//! wavelength and the same angles, with the error of both against this code's finest average.
 //!
 //! `cargo bench -p stratiform-optics --bench ensemble [-- RADII]`: RADII (default 65536) is the reference of the table.
 #![expect(clippy::print_stdout, clippy::unwrap_used, reason = "a benchmark prints figures and may stop")]
 
+use num_complex::Complex64;
+use scatrs::ensemble::EnsembleOptions;
 use std::time::Instant;
 use stratiform_artifact::ReachedError;
 use stratiform_optics::droplets::{DropletDistribution, SizeDistribution};
 use stratiform_optics::ensemble::{EnsembleSpec, QuadratureTolerance, ensemble, refine};
-use stratiform_optics::phase::{PhaseFunction, PhaseTable};
+use stratiform_optics::phase::{Norm, PhaseFunction, PhaseTable};
 use stratiform_optics::water::WaterTable;
 
 fn spec(droplets: &SizeDistribution, wavelength_um: f64, tolerance: QuadratureTolerance) -> EnsembleSpec<'_> {
@@ -46,7 +49,7 @@ fn default_error(droplets: &SizeDistribution) {
 }
 
 /// Estimated and true error of every refinement, the last one being the truth.
-fn convergence(droplets: &SizeDistribution, wavelength_um: f64, most_radii: u64) {
+fn convergence(droplets: &SizeDistribution, wavelength_um: f64, most_radii: u64) -> PhaseTable {
     let unreachable = QuadratureTolerance { asymmetry: 1e-9, most_radii, ..QuadratureTolerance::default() };
     let start = Instant::now();
     let mut rows: Vec<(f64, ReachedError, PhaseTable)> = Vec::new();
@@ -73,6 +76,39 @@ fn convergence(droplets: &SizeDistribution, wavelength_um: f64, most_radii: u64)
             difference(phase, &truth, 60.0, 181.0)
         );
     }
+    truth
+}
+
+/// P at the nodes by `scatrs`, relative tolerance `rtol`.
+fn scatrs_phase(wavelength_um: f64, truth: &PhaseTable, rtol: f64) -> Vec<f64> {
+    let law = scatrs::ensemble::SizeDistribution::Gamma { effective_radius: 7.0, effective_variance: 0.25 };
+    let mu = truth.theta_rad().iter().map(|theta| libm::cos(*theta)).collect();
+    let options = EnsembleOptions::new().with_rtol(rtol).with_mu(mu).with_max_panels(2048);
+    let [n, k] = WaterTable::HaleQuerry1973.at(wavelength_um).unwrap();
+    let result =
+        scatrs::ensemble::compute(&law, &[wavelength_um], &[Complex64::new(n, k)], &options).unwrap();
+    result[0].values.phase.clone().unwrap().f11
+}
+
+/// Seconds and true errors of both codes, coarse tolerances first.
+fn side_by_side(truth: &PhaseTable, droplets: &SizeDistribution, wavelength_um: f64) {
+    println!("code,seconds,wavelength_um,p_below_60,p_beyond_60");
+    let start = Instant::now();
+    let ours = ensemble(&spec(droplets, wavelength_um, QuadratureTolerance::default())).unwrap().phase;
+    let seconds = start.elapsed().as_secs_f64();
+    let row = |code: &str, seconds: f64, phase: &PhaseTable| {
+        let [below, beyond] =
+            [(0.0, 60.0), (60.0, 181.0)].map(|(from, to)| difference(phase, truth, from, to));
+        println!("{code},{seconds:.2},{wavelength_um},{below:.1e},{beyond:.1e}");
+    };
+    row("stratiform (default)", seconds, &ours);
+    for rtol in [1e-2, 1e-3, 1e-4] {
+        let start = Instant::now();
+        let p = scatrs_phase(wavelength_um, truth, rtol);
+        let seconds = start.elapsed().as_secs_f64();
+        let phase = PhaseTable::new(truth.theta_deg().to_vec(), p, Norm::Any).unwrap();
+        row(&format!("scatrs (rtol {rtol})"), seconds, &phase);
+    }
 }
 
 fn main() {
@@ -80,7 +116,9 @@ fn main() {
     let cloud = DropletDistribution::ModifiedGamma { gamma: 2.0, effective_radius_um: 7.0 };
     let droplets = cloud.resolve().unwrap();
     default_error(&droplets);
-    for wavelength_um in [0.65, 0.55, 0.45] {
+    for wavelength_um in [0.65, 0.45] {
         convergence(&droplets, wavelength_um, most);
     }
+    let truth = convergence(&droplets, 0.55, most);
+    side_by_side(&truth, &droplets, 0.55);
 }

@@ -1,4 +1,4 @@
-//! Sixteen photons side by side: the arithmetic of one collision and one flight, as loops over arrays.
+//! Thirty-two photons side by side: the arithmetic of one collision and one flight, as loops over arrays.
 //!
 //! The number of lanes is fixed and each photon draws from its own stream, so the instruction set that the
 //! processor offers changes the speed and nothing else. The generator is PCG-XSH-RR 64/32 (O'Neill 2014),
@@ -9,7 +9,7 @@ use rand_pcg::Pcg32;
 use stratiform_optics::sampling::SamplingTable;
 
 /// Photons traced side by side.
-pub(crate) const LANES: usize = 16;
+pub(crate) const LANES: usize = 32;
 /// Depth of a lane without a photon: no flight leads out of it.
 const PARKED: f64 = 1e300;
 const MULTIPLIER: u64 = 6_364_136_223_846_793_005;

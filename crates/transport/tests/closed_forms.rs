@@ -2,12 +2,15 @@
 
 mod common;
 
-use common::{Family, beam, exact, full, hg, isotropic, modified, reflectance, request, transmittance};
+use common::{
+    Family, beam, exact, full, half_space, hg, isotropic, modified, plain, reflectance, request,
+    transmittance,
+};
 use std::f64::consts::PI;
 use stratiform_optics::phase::PhaseFunction;
 use stratiform_quantities::{Incidence, Order};
 use stratiform_stats::Estimate;
-use stratiform_transport::{Control, Quantity, TraceMedium, Traced, trace_half_space, trace_plain};
+use stratiform_transport::{Quantity, TraceMedium, Traced};
 
 const ALPHA: f64 = 1e-3;
 const TAU: [f64; 4] = [2.0, 0.0, 0.3, 8.0];
@@ -15,7 +18,7 @@ const MU0: [f64; 4] = [1.0, 0.6, 0.15, 0.0];
 
 fn both(medium: &TraceMedium, tau: &[f64], incidence: Incidence, photons: u64) -> [Traced; 2] {
     let request = request(tau, incidence, photons);
-    [trace_half_space, trace_plain].map(|trace| trace(medium, &request, Control::default()).unwrap())
+    [half_space(medium, &request), plain(medium, &request)]
 }
 
 #[test]
@@ -163,7 +166,7 @@ fn diffuse_light_scatters_twice_the_optical_thickness() {
 #[test]
 fn a_planted_mean_is_rejected() {
     let request = request(&[8.0], Incidence::Diffuse, 500_000);
-    let traced = trace_half_space(&full(isotropic(), 1.0), &request, Control::default()).unwrap();
+    let traced = half_space(&full(isotropic(), 1.0), &request);
     let mut family = Family::default();
     let off = Estimate { value: 16.0 * 1.03, std_error: 0.0 };
     family.compare("scatterings", traced.mean_scatterings(0), off);

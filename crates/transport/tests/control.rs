@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{beam, full, hg, modified, request};
+use common::{beam, full, half_space, hg, modified, request};
 use rayon::ThreadPoolBuilder;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -33,7 +33,7 @@ fn any_number_of_threads_gives_the_same() {
 fn seeds_and_streams_differ() {
     let hits = |seed, stream| {
         let request = TraceRequest { seed, stream, ..request(&[5.0], beam(0.5), 10_000) };
-        let traced = trace_half_space(&medium(), &request, Control::default()).unwrap();
+        let traced = half_space(&medium(), &request);
         traced.hits(0, Quantity::Reflectance(Order::Total))
     };
     assert_ne!(hits(1, 0), hits(2, 0));
@@ -43,9 +43,7 @@ fn seeds_and_streams_differ() {
 /// A thickness has the same photons whatever others stand beside it, and in whatever order.
 #[test]
 fn thicknesses_do_not_disturb_each_other() {
-    let trace = |tau: &[f64]| {
-        trace_half_space(&medium(), &request(tau, beam(0.7), 10_000), Control::default()).unwrap()
-    };
+    let trace = |tau: &[f64]| half_space(&medium(), &request(tau, beam(0.7), 10_000));
     let (one, many) = (trace(&[5.0]), trace(&[16.0, 5.0, 0.0, 5.0, 1.0]));
     for order in one.orders() {
         for quantity in [Quantity::Reflectance(order), Quantity::Transmittance(order)] {
@@ -61,7 +59,7 @@ fn thicknesses_do_not_disturb_each_other() {
 fn the_tail_is_what_the_listed_orders_leave() {
     let trace = |max_order| {
         let request = TraceRequest { max_order, ..request(&[3.0], beam(1.0), 10_000) };
-        trace_half_space(&medium(), &request, Control::default()).unwrap()
+        half_space(&medium(), &request)
     };
     let (few, many) = (trace(1), trace(40));
     let hits = |order| few.hits(0, Quantity::Reflectance(order));
@@ -78,7 +76,7 @@ fn a_target_error_stops_the_trace() {
     let stop = |target, max_photons| {
         let stop = Stop::StdError { target, max_photons };
         let request = TraceRequest { stop, ..request(&[1.0, 5.0], beam(0.5), 2) };
-        trace_half_space(&medium(), &request, Control::default()).unwrap()
+        half_space(&medium(), &request)
     };
     let reached = stop(1e-3, 100_000_000);
     assert_eq!(reached.target_reached(), Some(true));

@@ -5,17 +5,17 @@ mod common;
 use common::{Family, beam, full, hg, isotropic, modified, request};
 use stratiform_quantities::{Incidence, Order};
 use stratiform_stats::Estimate;
-use stratiform_transport::{Control, Quantity, TraceMedium, Traced, trace_half_space, trace_plain};
+use stratiform_transport::{Quantity, TraceMedium, Traced};
 
 const ALPHA: f64 = 1e-3;
 const TAU: [f64; 3] = [0.5, 3.0, 10.0];
 
 fn half_space(medium: &TraceMedium, incidence: Incidence, photons: u64) -> Traced {
-    trace_half_space(medium, &request(&TAU, incidence, photons), Control::default()).unwrap()
+    common::half_space(medium, &request(&TAU, incidence, photons))
 }
 
 fn plain(medium: &TraceMedium, incidence: Incidence, photons: u64) -> Traced {
-    trace_plain(medium, &request(&TAU, incidence, photons), Control::default()).unwrap()
+    common::plain(medium, &request(&TAU, incidence, photons))
 }
 
 /// False alarms: one seed in 1000.
@@ -61,7 +61,7 @@ fn batch_covariances_are_those_of_nested_counts() {
     for seed in 0..runs {
         let mut request = request(&TAU, beam(0.5), photons);
         request.seed = seed;
-        let traced = trace_half_space(&medium, &request, Control::default()).unwrap();
+        let traced = common::half_space(&medium, &request);
         let covariance = traced.covariance(&[thin, thick, passed]);
         mean[0] += covariance[0][0] / runs as f64;
         mean[1] += covariance[0][1] / runs as f64;
@@ -100,5 +100,5 @@ fn a_forward_delta_may_be_moved_into_extinction() {
 fn half_space_again(medium: &TraceMedium, photons: u64) -> Traced {
     let mut request = request(&TAU, beam(0.5), photons);
     request.stream = 1;
-    trace_half_space(medium, &request, Control::default()).unwrap()
+    common::half_space(medium, &request)
 }

@@ -3,16 +3,16 @@
 mod common;
 
 use common::published::{Published, published};
-use common::{Family, exact, full, hg, request};
+use common::{Family, exact, full, half_space, hg, request};
 use stratiform_quantities::Order;
-use stratiform_transport::{Control, TraceRequest, trace_half_space};
+use stratiform_transport::TraceRequest;
 
 const ALPHA: f64 = 1e-3;
 
 fn compare(family: &mut Family, case: &Published, stream: u32, photons: u64) {
     let medium = full(case.phase.clone(), case.omega);
     let request = TraceRequest { stream, ..request(&[case.tau], case.incidence, photons) };
-    let traced = trace_half_space(&medium, &request, Control::default()).unwrap();
+    let traced = half_space(&medium, &request);
     let (reflectance, transmittance) = traced.estimate(0, Order::Total);
     family.compare(format!("{} R", case.name), reflectance, exact(case.reflectance));
     family.compare(format!("{} T", case.name), transmittance, exact(case.transmittance));

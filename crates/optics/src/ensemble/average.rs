@@ -65,6 +65,7 @@ impl Average {
         self.extinction
     }
 
+    /// ω; droplets that do not absorb have Q_sca = Q_ext to rounding, which may fall on either side of 1.
     pub(super) fn albedo(&self) -> f64 {
         (self.scattering / self.extinction).min(1.0)
     }

@@ -86,7 +86,7 @@ impl Scale {
         let (first, last) = (libm::floor(self.low) as i32, libm::ceil(self.high) as i32);
         let decades = self.high - self.low;
         // Powers of ten are read at a glance, so they may stand closer than other labels.
-        let target = 1.6 * target.max(1) as f64;
+        let target = 1.5 * target.max(1) as f64;
         let every = libm::ceil(decades / target).max(1.0) as i32;
         let plain = first >= -3 && last <= 4;
         let inside = |v: f64| self.position(v).is_some_and(|p| (0.0..=1.0).contains(&p));

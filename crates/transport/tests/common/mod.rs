@@ -1,12 +1,13 @@
 //! What the tests share: media, requests, and the comparator.
 
 #![allow(dead_code, reason = "each test program uses a part")]
+#![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
 
 use std::sync::Arc;
 use stratiform_optics::phase::{HenyeyGreenstein, Isotropic, PhaseFunction};
 use stratiform_quantities::{Asymmetry, Incidence, Order, SingleScatteringAlbedo};
 use stratiform_stats::{Estimate, family_threshold, z_score};
-use stratiform_transport::{Stop, TraceMedium, TraceRequest, Traced};
+use stratiform_transport::{Control, Stop, TraceMedium, TraceRequest, Traced, trace_half_space, trace_plain};
 
 pub mod published;
 
@@ -35,6 +36,14 @@ pub fn request(tau: &[f64], incidence: Incidence, photons: u64) -> TraceRequest 
         seed: 20_060_905,
         stream: 0,
     }
+}
+
+pub fn half_space(medium: &TraceMedium, request: &TraceRequest) -> Traced {
+    trace_half_space(medium, request, Control::default()).unwrap()
+}
+
+pub fn plain(medium: &TraceMedium, request: &TraceRequest) -> Traced {
+    trace_plain(medium, request, Control::default()).unwrap()
 }
 
 pub fn beam(mu0: f64) -> Incidence {
