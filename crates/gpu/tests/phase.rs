@@ -1,6 +1,10 @@
 //! The emitted phase look-up, executed, against the function that the tables were made from.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may stop where it fails, and says what it measured"
+)]
 
 #[path = "../../codegen/tests/common/mod.rs"]
 mod common;

@@ -1,5 +1,9 @@
 //! The emitted shader, executed, against the f64 model at the self-test vectors.
-#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may stop where it fails, and says what it measured"
+)]
 
 #[path = "../../codegen/tests/common/mod.rs"]
 mod common;
@@ -11,9 +15,9 @@ use stratiform_quantities::Incidence;
 
 /// Largest error of a flux. Measured on Mesa 22.3 llvmpipe: 1.9e-7.
 const ABSOLUTE: f64 = 2e-6;
-/// Largest relative error of a flux above 1e-30. Measured: 4.7e-6, in exponentials of paths up to 70; of R_3+, a
-/// difference, 1.9e-5.
-const RELATIVE: f64 = 5e-5;
+/// Largest relative error of a flux above 1e-30; of T_3+ and R_3+ relative to the terms of the difference. Measured:
+/// 5e-6, in exponentials of paths up to 70.
+const RELATIVE: f64 = 2e-5;
 
 fn input(test: &SelfTest) -> Vec<f32> {
     let pair = |mu_l: Incidence, tau: f64| {
@@ -35,16 +39,26 @@ fn execute(gpu: &Gpu, wgsl: &str, test: &SelfTest) -> Vec<f32> {
     bytemuck::pod_collect_to_vec(&output)
 }
 
-/// Largest absolute error over all vectors, per flux, and largest relative one where the flux exceeds 1e-30.
+/// What the error of flux `i` is relative to.
+fn scale([t_ms, r_ms, _, t_1, t_2, _, r_1, r_2, _]: [f64; 9], i: usize, exact: f64) -> f64 {
+    match i {
+        5 => exact.abs() + t_1 + t_2 + r_ms.min(t_ms),
+        8 => exact.abs() + r_1 + r_2,
+        _ => exact.abs(),
+    }
+}
+
+/// Largest absolute and largest relative error per flux, over all vectors.
 fn errors(test: &SelfTest, output: &[f32]) -> [(f64, f64); 9] {
     let mut worst = [(0.0_f64, 0.0_f64); 9];
     for (vector, shader) in test.vectors.iter().zip(output.chunks(9)) {
-        for ((worst, exact), shader) in worst.iter_mut().zip(vector.fluxes).zip(shader) {
+        for (i, (worst, shader)) in worst.iter_mut().zip(shader).enumerate() {
+            let exact = vector.fluxes[i];
             let error = (f64::from(*shader) - exact).abs();
             assert!(error.is_finite());
             worst.0 = worst.0.max(error);
             if exact.abs() > 1e-30 {
-                worst.1 = worst.1.max(error / exact.abs());
+                worst.1 = worst.1.max(error / scale(vector.fluxes, i, exact));
             }
         }
     }
