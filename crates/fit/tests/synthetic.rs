@@ -64,7 +64,7 @@ fn c_without_influence_is_left_empty() {
         assert_eq!(row.c.value.is_none(), empty, "{row:?}");
         assert_eq!(row.flags.contains(&Flag::CNotIdentifiable), empty);
         assert_eq!((line.c_per_m.is_none(), line.flags.contains("c-not-identifiable")), (empty, empty));
-        assert!((row.c.emitted / 0.3 - 1.0).abs() < 0.05, "{row:?}");
+        assert!((row.c.emitted / 0.3 - 1.0).abs() < 0.1, "{row:?}");
         assert!(row.misfit[0].rms < 1.001e-3);
         assert!(row.c.std_error.is_some() != empty && row.b.std_error.is_some());
     }
