@@ -65,7 +65,7 @@ fn c_without_influence_is_left_empty() {
         assert_eq!(row.flags.contains(&Flag::CNotIdentifiable), empty);
         assert_eq!((line.c_per_m.is_none(), line.flags.contains("c-not-identifiable")), (empty, empty));
         assert!((row.c.emitted / 0.3 - 1.0).abs() < 0.1, "{row:?}");
-        assert!(row.misfit[0].rms < 4e-4);
+        assert!(row.misfit[0].rms < 1e-3, "{row:?}");
         assert!(row.c.std_error.is_some() != empty && row.b.std_error.is_some());
     }
     assert!(to_csv(&table).unwrap().lines().nth(3).unwrap().starts_with("44,"));
