@@ -1,8 +1,59 @@
 //! What holds between the crates. The tests themselves are in `tests/`; here is what they share.
 
 use std::path::PathBuf;
+use stratiform_artifact::{ParametersDocument, RowIncidence};
+use stratiform_cli::config::Config;
+use stratiform_cli::pipeline::accepted;
+use stratiform_cli::pipeline::optics::Cloud;
+use stratiform_cli::pipeline::reference::{Media, Plan, fit_reference};
+use stratiform_fit::Reference;
+use stratiform_optics::phase::{Norm, PhaseTable};
+use stratiform_quantities::SingleScatteringAlbedo;
 
 /// The root of the repository.
 pub fn root() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+/// The paper's config.
+///
+/// # Panics
+/// If it cannot be read: a test then fails.
+#[expect(clippy::expect_used, reason = "for tests only")]
+pub fn paper_config() -> Config {
+    Config::load(&root().join("fit-configs/appendix-b.toml")).expect("the config loads")
+}
+
+/// The committed parameters of the paper's cloud, and the cloud itself from the committed phase function, so that no test
+/// computes Mie theory again.
+///
+/// # Panics
+/// If a committed file is missing or damaged: a test then fails.
+#[expect(clippy::expect_used, reason = "for tests only")]
+pub fn accepted_cloud(config: &Config) -> (ParametersDocument, Cloud) {
+    let folder = root().join("fit-configs").join(&config.codegen.accepted);
+    let parameters = accepted::read(&folder).expect("the accepted artifacts").parameters;
+    let medium = &parameters.medium;
+    let cloud = Cloud {
+        phase: PhaseTable::read(&folder.join("phase_full.csv"), Norm::Strict)
+            .expect("the accepted phase function"),
+        omega: SingleScatteringAlbedo::new(medium.single_scattering_albedo).expect("the accepted albedo"),
+        extinction_per_m: medium.extinction_per_m,
+        asymmetry: medium.asymmetry,
+        forward_fraction: medium.forward_fraction,
+    };
+    (parameters, cloud)
+}
+
+/// A fresh Monte Carlo reference of every row of the table.
+///
+/// # Panics
+/// If a trace fails: a test then fails.
+#[expect(clippy::expect_used, reason = "for tests only")]
+pub fn fresh_reference(config: &Config, cloud: &Cloud, photons: u64, seed: u64) -> Vec<Reference> {
+    let rows: Vec<RowIncidence> = Plan::nodes(config, cloud).rows;
+    let plan = Plan { rows, tau: cloud.tau(config), photons, seed };
+    let media = Media::new(config, cloud).expect("the media");
+    let traced = plan.trace(&media, &|_| ()).expect("the trace");
+    traced.iter().map(|traced| fit_reference(config, traced)).collect()
 }

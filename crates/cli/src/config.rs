@@ -7,7 +7,7 @@ use crate::CliError;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use stratiform_artifact::{hash_of, read_text};
-use stratiform_fit::{FitConfig, FitError};
+use stratiform_fit::{FitConfig, FitError, RegressionBounds};
 use stratiform_optics::{OpticsConfig, OpticsError};
 use stratiform_quantities::{DomainError, ExtinctionConvention, Medium, Range, SingleScatteringAlbedo};
 
@@ -72,12 +72,15 @@ pub struct CodegenConfig {
 pub struct ConvergenceConfig {
     /// Angle of the curve, degrees: one of `fit.theta_l_deg`, whose reference it is held against.
     pub theta_l_deg: f64,
-    /// Photons of each point.
-    pub photons: Vec<u64>,
+    /// Thicknesses of the curve, metres: the nearest of the fit's grid are taken.
+    pub thickness_m: Vec<f64>,
+    /// Photons of each point, plain tracer.
+    pub plain_photons: Vec<u64>,
+    /// Photons of each point, half-space tracer.
+    pub half_space_photons: Vec<u64>,
 }
 
-/// `[regression]`: the largest |model - fresh Monte Carlo| that is accepted, per quantity, beyond the Monte
-/// Carlo's own error at the stated false-alarm rate.
+/// `[regression]`: a fresh run that the accepted table is held against.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RegressionConfig {
@@ -87,20 +90,8 @@ pub struct RegressionConfig {
     pub seed: u64,
     /// Probability that a correct table fails.
     pub false_alarm_rate: f64,
-    /// Bounds on T_ms, T_1, T_2, R_1, R_2, R_ms.
+    /// What is accepted.
     pub bounds: RegressionBounds,
-}
-
-/// `[regression.bounds]`, absolute.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[expect(missing_docs, reason = "the names are those of the model")]
-pub struct RegressionBounds {
-    pub t_ms: f64,
-    pub t_1: f64,
-    pub t_2: f64,
-    pub r_1: f64,
-    pub r_2: f64,
 }
 
 impl Config {
@@ -146,19 +137,15 @@ impl Config {
         count("photons", self.transport.photons)?;
         count("photons_between", self.transport.photons_between)?;
         count("photons", self.regression.photons)?;
-        self.convergence.photons.iter().try_for_each(|n| count("photons", *n))?;
+        self.convergence.plain_photons.iter().try_for_each(|n| count("plain_photons", *n))?;
+        self.convergence.half_space_photons.iter().try_for_each(|n| count("half_space_photons", *n))?;
+        self.convergence
+            .thickness_m
+            .iter()
+            .try_for_each(|h| Range::above(0.0).check("convergence.thickness_m", *h).map(|_| ()))?;
         Range::closed(0.0, 90.0).check("theta_l_deg", self.convergence.theta_l_deg)?;
         Range::open(0.0, 1.0).check("false_alarm_rate", self.regression.false_alarm_rate)?;
-        let bounds = self.regression.bounds;
-        for (name, bound) in [
-            ("t_ms", bounds.t_ms),
-            ("t_1", bounds.t_1),
-            ("t_2", bounds.t_2),
-            ("r_1", bounds.r_1),
-            ("r_2", bounds.r_2),
-        ] {
-            Range::closed(0.0, 1.0).check(name, bound)?;
-        }
+        self.regression.bounds.check()?;
         if !self.optics.wavelengths_um.contains(&self.transport.wavelength_um) {
             let nearest = self.optics.wavelengths_um.first().copied().unwrap_or(0.0);
             let range = Range::closed(nearest, nearest);

@@ -6,6 +6,7 @@ use crate::{CliError, numbers, pipeline};
 use std::path::Path;
 use std::sync::Arc;
 use stratiform_artifact::TracedMedium;
+use stratiform_optics::OpticsError;
 use stratiform_optics::phase::{
     Draine, HenyeyGreenstein, Isotropic, Modified, Norm, PhaseFunction, PhaseTable, Rayleigh,
 };
@@ -93,17 +94,21 @@ fn source(phase: &str, norm: Norm) -> Result<Source, CliError> {
             let [g, alpha] = numbers::pair(pair).map_err(input)?;
             Ok(Source::of(Draine::new(asymmetry(g)?, alpha).map_err(|error| input(error.to_string()))?))
         }
-        ("moments", file) => {
-            PhaseTable::read_moments(Path::new(file)).map(Source::of).map_err(pipeline::input_error)
-        }
-        ("table", file) => {
-            PhaseTable::read(Path::new(file), norm).map(Source::of).map_err(pipeline::input_error)
-        }
+        ("moments", file) => from_file(file, PhaseTable::read_moments(Path::new(file))),
+        ("table", file) => from_file(file, PhaseTable::read(Path::new(file), norm)),
         ("config", file) => from_config(Path::new(file)),
         _ => Err(CliError::Input(format!(
             "--phase {phase}: not one of isotropic, rayleigh, hg:G, draine:G,ALPHA, moments:FILE, table:FILE, config:FILE"
         ))),
     }
+}
+
+/// The table read from `file`; what is wrong with the numbers is told with the file's name.
+fn from_file(file: &str, table: Result<PhaseTable, OpticsError>) -> Result<Source, CliError> {
+    table.map(Source::of).map_err(|error| match error {
+        OpticsError::Artifact(error) => error.into(),
+        other => CliError::Input(format!("{file}: {other}")),
+    })
 }
 
 fn from_config(file: &Path) -> Result<Source, CliError> {

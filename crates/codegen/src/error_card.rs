@@ -38,17 +38,23 @@ pub(crate) fn spread(quantity: &str, mut errors: Vec<f64>) -> Option<ErrorCard> 
 /// Which reference points a card is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Place {
-    /// At the table's angles.
+    /// At the table's angles up to [`STEEP_DEG`].
     Nodes,
     /// Between them: interpolation error included.
     Between,
+    /// At and between the table's angles nearer to the horizon, where the model's form fails.
+    Grazing,
     /// In diffuse light.
     Diffuse,
 }
 
+/// Up to here the model's form can describe a cloud; at 90° it cannot.
+pub(crate) const STEEP_DEG: f64 = 80.0;
+
 fn place(incidence: Incidence, nodes: &[f64]) -> Place {
     match incidence {
         Incidence::Diffuse => Place::Diffuse,
+        Incidence::Beam(mu) if mu.get() < cos_degrees(STEEP_DEG) - 1e-9 => Place::Grazing,
         Incidence::Beam(mu) if nodes.iter().any(|node| (node - mu.get()).abs() < 1e-9) => Place::Nodes,
         Incidence::Beam(_) => Place::Between,
     }
@@ -87,10 +93,12 @@ pub(crate) fn cards(inputs: &Inputs, wanted: Place) -> Result<Vec<ErrorCard>, Co
     Ok(cards)
 }
 
-/// Errors at the table's angles, between them, and in diffuse light.
+/// Errors at the table's angles up to 80°, between them, nearer to the horizon, and in diffuse light.
 ///
 /// # Errors
 /// [`CodegenError`] if the inputs are out of domain.
-pub fn error_card(inputs: &Inputs) -> Result<[Vec<ErrorCard>; 3], CodegenError> {
-    Ok([cards(inputs, Place::Nodes)?, cards(inputs, Place::Between)?, cards(inputs, Place::Diffuse)?])
+pub fn error_card(inputs: &Inputs) -> Result<[Vec<ErrorCard>; 4], CodegenError> {
+    let [nodes, between, grazing, diffuse] =
+        [Place::Nodes, Place::Between, Place::Grazing, Place::Diffuse].map(|place| cards(inputs, place));
+    Ok([nodes?, between?, grazing?, diffuse?])
 }

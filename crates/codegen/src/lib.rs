@@ -1,6 +1,6 @@
 //! Shader modules and tables from fitted parameters and phase functions: deterministic text.
 //!
-//! [`generate`] turns [`Inputs`] into named texts, [`write`] puts them into a folder, [`check`] compares a folder
+//! [`generate`] turns [`Inputs`] into named texts, [`write`](fn@write) puts them into a folder, [`check`] compares a folder
 //! with them. Nothing is computed here but the interpolation between the table's rows and its error.
 //!
 //! | file | content |

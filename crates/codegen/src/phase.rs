@@ -109,3 +109,28 @@ pub(crate) fn files(inputs: &Inputs) -> Result<Vec<(String, String)>, CodegenErr
         ("phase_warped.csv".to_owned(), to_csv(&grid)?),
     ])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angle_and_coordinate_are_inverse() {
+        for i in 0..=1000 {
+            let u = f64::from(i) / 1000.0;
+            assert!((coordinate(angle_deg(u)) - u).abs() < 1e-7, "{u}");
+        }
+        assert_eq!((angle_deg(0.0), angle_deg(1.0)), (0.0, 180.0));
+    }
+
+    #[test]
+    fn a_table_is_linear_between_rows_and_may_jump() {
+        let row = |theta_deg, p| PhaseRow { theta_deg, p };
+        let rows = [row(0.0, 0.0), row(5.0, 0.0), row(5.0, 4.0), row(180.0, 1.0)];
+        assert_eq!(
+            (at(&rows, 0.0), at(&rows, 4.999), at(&rows, 5.0), at(&rows, 180.0)),
+            (0.0, 0.0, 4.0, 1.0)
+        );
+        assert!((at(&rows, 92.5) - 2.5).abs() < 1e-15);
+    }
+}

@@ -1,6 +1,6 @@
 //! stratiform.wgsl: header, table, functions.
 
-use crate::error_card::{Place, cards};
+use crate::error_card::{STEEP_DEG, error_card};
 use crate::tables::{angles, diffuse_values};
 use crate::text::{banner, fill, literal};
 use crate::{CodegenError, ErrorCard, Inputs, QUANTITIES, leave_one_out, self_test};
@@ -32,18 +32,20 @@ fn header(inputs: &Inputs) -> Result<String, CodegenError> {
          //            three_plus are differences and may fall below 0; theta_l = 90 deg is beyond the model's form.\n",
         medium.wavelength_um,
         medium.single_scattering_albedo,
-        medium.asymmetry,
+        brief(medium.asymmetry),
         medium.theta_f_deg,
-        medium.forward_fraction,
+        brief(medium.forward_fraction),
         brief(thin),
         brief(thick),
     );
-    for (title, place) in [
-        ("at the table's angles", Place::Nodes),
-        ("between the table's angles", Place::Between),
-        ("in diffuse light", Place::Diffuse),
-    ] {
-        push_card(&mut text, &format!("Error against the reference {title}"), &cards(inputs, place)?);
+    let titles = [
+        format!("at the table's angles up to {STEEP_DEG} deg"),
+        format!("between the table's angles up to {STEEP_DEG} deg"),
+        format!("beyond {STEEP_DEG} deg, where the model's form fails"),
+        "in diffuse light".to_owned(),
+    ];
+    for (title, cards) in titles.iter().zip(error_card(inputs)?) {
+        push_card(&mut text, &format!("Error against the reference {title}"), &cards);
     }
     let inner = leave_one_out(&inputs.parameters.optical)?;
     push_card(

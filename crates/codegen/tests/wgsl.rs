@@ -1,4 +1,5 @@
 //! Every emitted shader passes naga's validator.
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
 mod common;
 

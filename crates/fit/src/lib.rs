@@ -21,6 +21,7 @@ mod orders;
 mod orders_fit;
 mod qr;
 mod reference;
+mod regression;
 mod sandwich;
 mod totals_fit;
 
@@ -30,3 +31,4 @@ pub use document::{csv_rows, fit};
 pub use error::FitError;
 pub use matrix::Matrix;
 pub use reference::{ORDERS, Reference};
+pub use regression::{Held, Regression, RegressionBounds, regression};

@@ -1,4 +1,9 @@
 //! The emitted shader, executed, against the f64 model at the self-test vectors.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may stop where it fails, and says what it measured"
+)]
 
 #[path = "../../codegen/tests/common/mod.rs"]
 mod common;
@@ -8,8 +13,11 @@ use stratiform_codegen::{QUANTITIES, SelfTest, generate, self_test_module};
 use stratiform_gpu::Gpu;
 use stratiform_quantities::Incidence;
 
-/// Largest error of a flux: relative to 1 and, separately, to the flux itself.
+/// Largest error of a flux. Measured on Mesa 22.3 llvmpipe: 1.9e-7.
 const ABSOLUTE: f64 = 2e-6;
+/// Largest relative error of a flux above 1e-30; of T_3+ and R_3+ relative to the terms of the difference. Measured:
+/// 5e-6, in exponentials of paths up to 70.
+const RELATIVE: f64 = 2e-5;
 
 fn input(test: &SelfTest) -> Vec<f32> {
     let pair = |mu_l: Incidence, tau: f64| {
@@ -31,20 +39,37 @@ fn execute(gpu: &Gpu, wgsl: &str, test: &SelfTest) -> Vec<f32> {
     bytemuck::pod_collect_to_vec(&output)
 }
 
-/// Largest absolute error over all vectors, per flux, and largest relative one where the flux exceeds 1e-30.
+/// What the error of flux `i` is relative to.
+fn scale([t_ms, r_ms, _, t_1, t_2, _, r_1, r_2, _]: [f64; 9], i: usize, exact: f64) -> f64 {
+    match i {
+        5 => exact.abs() + t_1 + t_2 + r_ms.min(t_ms),
+        8 => exact.abs() + r_1 + r_2,
+        _ => exact.abs(),
+    }
+}
+
+/// Largest absolute and largest relative error per flux, over all vectors.
 fn errors(test: &SelfTest, output: &[f32]) -> [(f64, f64); 9] {
     let mut worst = [(0.0_f64, 0.0_f64); 9];
     for (vector, shader) in test.vectors.iter().zip(output.chunks(9)) {
-        for ((worst, exact), shader) in worst.iter_mut().zip(vector.fluxes).zip(shader) {
+        for (i, (worst, shader)) in worst.iter_mut().zip(shader).enumerate() {
+            let exact = vector.fluxes[i];
             let error = (f64::from(*shader) - exact).abs();
             assert!(error.is_finite());
             worst.0 = worst.0.max(error);
             if exact.abs() > 1e-30 {
-                worst.1 = worst.1.max(error / exact.abs());
+                worst.1 = worst.1.max(error / scale(vector.fluxes, i, exact));
             }
         }
     }
     worst
+}
+
+fn report(gpu: &Gpu, worst: &[(f64, f64); 9]) {
+    println!("{}\nflux      absolute relative", gpu.adapter());
+    for (quantity, (absolute, relative)) in QUANTITIES.iter().zip(worst) {
+        println!("{quantity:<9} {absolute:.1e}  {relative:.1e}");
+    }
 }
 
 #[test]
@@ -54,9 +79,19 @@ fn the_shader_reproduces_the_model() {
     let test: SelfTest = serde_json::from_str(&files["self_test.json"]).unwrap();
     let module = self_test_module(&files).unwrap();
     let worst = errors(&test, &execute(&gpu, &module, &test));
-    println!("{}", gpu.adapter());
-    for (quantity, (absolute, relative)) in QUANTITIES.iter().zip(worst) {
-        println!("{quantity:<9} {absolute:.1e} {relative:.1e}");
-    }
-    assert!(worst.iter().all(|error| error.0 < ABSOLUTE), "{worst:?}");
+    report(&gpu, &worst);
+    assert!(worst.iter().all(|error| error.0 < ABSOLUTE && error.1 < RELATIVE), "{worst:?}");
+}
+
+/// A slip of the size of a rounded constant is seen.
+#[test]
+fn a_planted_slip_in_the_shader_is_seen() {
+    let Some(gpu) = device::device() else { return };
+    let files = generate(&common::inputs()).unwrap();
+    let test: SelfTest = serde_json::from_str(&files["self_test.json"]).unwrap();
+    let module = self_test_module(&files).unwrap();
+    let planted = module.replacen("STRATIFORM_KAPPA_S: f32 = 0.545;", "STRATIFORM_KAPPA_S: f32 = 0.5451;", 1);
+    assert_ne!(planted, module);
+    let worst = errors(&test, &execute(&gpu, &planted, &test));
+    assert!(worst[2].0 > 10.0 * ABSOLUTE && worst[2].1 > RELATIVE, "{worst:?}");
 }

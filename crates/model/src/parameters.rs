@@ -87,15 +87,20 @@ impl<F: Real> Parameters<F> {
         Ok(Self { values: values.cast(), slope, light })
     }
 
-    /// Linear interpolation from `a` (weight 0) to `b` (weight 1) for a beam at `mu`.
+    /// Interpolation from `a` (weight 0) to `b` (weight 1) for a beam at `mu`: linear in b, t and in the reciprocals
+    /// 1/c, 1/κ_c, 1/r, none of which is infinite.
     pub(crate) fn between(a: &Self, b: &Self, weight: F, mu: F) -> Self {
         let mix = |of: fn(&Values<F>) -> F| of(&a.values) + (of(&b.values) - of(&a.values)) * weight;
+        let mix_reciprocal = |of: fn(&Values<F>) -> F| {
+            let (from, to) = (of(&a.values), of(&b.values));
+            from * to / (to + (from - to) * weight)
+        };
         let values = Values {
             b: mix(|v| v.b),
-            c: mix(|v| v.c),
-            kappa_c: mix(|v| v.kappa_c),
+            c: mix_reciprocal(|v| v.c),
+            kappa_c: mix_reciprocal(|v| v.kappa_c),
             t: mix(|v| v.t),
-            r: mix(|v| v.r),
+            r: mix_reciprocal(|v| v.r),
             ..a.values
         };
         Self { values, slope: a.slope, light: Light::Beam(mu) }

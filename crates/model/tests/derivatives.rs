@@ -1,4 +1,5 @@
 //! The analytic derivatives against central differences.
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
 use stratiform_model::{Fluxes, Form, Parameters, Thickness, Values, derivatives};
 use stratiform_quantities::Incidence;
@@ -23,10 +24,11 @@ fn difference(field: fn(&mut Values<f64>) -> &mut f64, h: f64, flux: fn(&Fluxes<
 #[test]
 fn derivatives_equal_central_differences() {
     type Derivative = fn(&Parameters<f64>, Thickness<f64>) -> [f64; 3];
+    type Flux = fn(&Fluxes<f64>) -> f64;
     type Field = fn(&mut Values<f64>) -> &mut f64;
     let multiple: [Field; 3] = [|v| &mut v.beta, |v| &mut v.b, |v| &mut v.c];
     let orders: [Field; 3] = [|v| &mut v.kappa_c, |v| &mut v.t, |v| &mut v.r];
-    let cases: [(Derivative, fn(&Fluxes<f64>) -> f64, [Field; 3]); 5] = [
+    let cases: [(Derivative, Flux, [Field; 3]); 5] = [
         (derivatives::t_ms, |f| f.t_ms, multiple),
         (derivatives::t_1, |f| f.t_1, orders),
         (derivatives::t_2, |f| f.t_2, orders),

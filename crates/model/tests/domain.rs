@@ -1,4 +1,5 @@
 //! What is refused, and what is reported.
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
 use stratiform_model::table::{Angle, ParameterGrid};
 use stratiform_model::{Form, ModelError, Parameters, Thickness, Values, problems};
@@ -80,16 +81,23 @@ fn angle(theta_l_deg: f64, b: f64) -> Angle {
 }
 
 #[test]
-fn the_grid_is_linear_in_the_cosine_and_refuses_disorder() {
+fn the_grid_interpolates_in_the_cosine_and_refuses_disorder() {
     let grid = ParameterGrid::<f64>::new(&[angle(0.0, 0.5), angle(60.0, 1.0), angle(90.0, 2.0)]).unwrap();
     for (mu, b) in [(1.0, 0.5), (0.75, 0.75), (0.5, 1.0), (0.25, 1.5), (0.0, 2.0)] {
         assert!((grid.at(mu).unwrap().values().b - b).abs() < 1e-15, "{mu}");
     }
+    let shorter = Angle { theta_l_deg: 90.0, values: Values { kappa_c: 0.21, ..VALUES } };
+    let grid = ParameterGrid::<f64>::new(&[angle(0.0, 0.5), shorter]).unwrap();
+    let half = 2.0 / (1.0 / 0.07 + 1.0 / 0.21);
+    assert!((grid.at(0.5).unwrap().values().kappa_c - half).abs() < 1e-15);
     assert!(matches!(grid.at(1.01), Err(ModelError::Domain(_))));
     let unsorted = ParameterGrid::<f64>::new(&[angle(60.0, 1.0), angle(60.0, 1.0)]);
     assert_eq!(unsorted.unwrap_err(), ModelError::Unsorted { previous: 60.0, next: 60.0 });
     assert!(ParameterGrid::<f64>::new(&[angle(0.0, 1.0), angle(f64::NAN, 1.0)]).is_err());
     assert!(ParameterGrid::<f64>::new(&[angle(0.0, 1.0), angle(91.0, 1.0)]).is_err());
+    let endless = Angle { theta_l_deg: 90.0, values: Values { c: 0.0, ..VALUES } };
+    let endless = ParameterGrid::<f64>::new(&[angle(0.0, 1.0), endless]).unwrap_err();
+    assert_eq!(endless.to_string(), "c = 0 is outside [0.000000000001, 1000000]");
     assert_eq!(ParameterGrid::<f64>::new(&[]).unwrap_err(), ModelError::TooFewRows { rows: 0 });
 }
 

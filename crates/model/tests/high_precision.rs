@@ -1,4 +1,9 @@
 //! Both precisions against 60-digit values over optical thickness 1e-8 to 1e4.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may stop where it fails, and says what it measured"
+)]
 
 use stratiform_model::{Form, Parameters, Real, Thickness, Values, exponential_integral_e3};
 use stratiform_quantities::Incidence;

@@ -3,6 +3,7 @@
 use crate::OpticsError;
 use crate::droplets::{DropletDistribution, SizeDistribution};
 use crate::ensemble::QuadratureTolerance;
+use crate::mie::RefractiveIndex;
 use crate::water::IndexSource;
 use serde::{Deserialize, Serialize};
 use stratiform_artifact::{ArtifactError, hash_of, read_text};
@@ -54,7 +55,8 @@ impl OpticsConfig {
             if self.wavelengths_um[..i].contains(wavelength) {
                 return Err(OpticsError::Config(format!("wavelengths_um lists {wavelength} twice")));
             }
-            self.refractive_index.at(*wavelength)?;
+            let [n, k] = self.refractive_index.at(*wavelength)?;
+            RefractiveIndex::new(n, k)?;
         }
         self.droplets.resolve()
     }

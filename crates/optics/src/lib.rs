@@ -1,7 +1,7 @@
 //! From droplets to phase functions: water index, droplet distributions, Mie theory, and every
 //! phase function the project knows.
 //!
-//! [`OpticsConfig`] → [`compute`] (or [`load_or_compute`]) → [`ensemble::Ensemble`] per wavelength → [`write`].
+//! [`OpticsConfig`] → [`compute`] (or [`load_or_compute`]) → [`ensemble::Ensemble`] per wavelength → [`write`](fn@write).
 //! One sphere is [`mie::scatter`]; phase functions stand in [`phase`].
 
 mod cache;

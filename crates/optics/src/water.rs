@@ -27,7 +27,7 @@ pub enum WaterTable {
 
 /// The droplets' index: a table's name, or `[n, k]` at every wavelength.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "expected \"hale-querry-1973\", \"segelstein-1981\" or [n, k]")]
 pub enum IndexSource {
     /// Water by a published table.
     Water(WaterTable),

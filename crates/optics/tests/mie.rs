@@ -1,4 +1,5 @@
 //! Spheres against published answers, to two units of the last printed digit.
+#![expect(clippy::unwrap_used, reason = "a test may stop")]
 
 use num_complex::Complex64;
 use stratiform_optics::mie::{SphereScattering, scatter};

@@ -1,7 +1,6 @@
 //! Draws the report of a synthetic folder, to look at: `cargo run -p stratiform-report --example synthetic DIR`.
 
 #[path = "../tests/folder/mod.rs"]
-#[allow(dead_code, missing_docs, clippy::unwrap_used, reason = "shared with the tests")]
 mod folder;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -36,7 +36,7 @@ struct HalfSpace<'a> {
     /// Ascending.
     bottoms: Vec<f64>,
     incidence: Incidence,
-    /// A collision absorbs where its random word is not below this.
+    /// A collision absorbs where its random word is not below this: ω to within 1.2·10⁻¹⁰.
     absorbs_from: u64,
     key: u64,
 }
@@ -149,5 +149,67 @@ impl<'a> Flock<'a> {
         }
         self.in_flight -= 1;
         self.launch(lane);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernels::cos_azimuth;
+    use crate::{Quantity, Stop};
+    use std::sync::Arc;
+    use stratiform_optics::phase::{HenyeyGreenstein, PhaseFunction};
+    use stratiform_quantities::{Asymmetry, Order, SingleScatteringAlbedo};
+
+    /// One history by itself, as the module's first lines tell it.
+    fn history(half_space: &HalfSpace<'_>, rng: &mut Pcg32, tally: &mut Tally) {
+        let mut mu = half_space.incident_cosine(rng);
+        let (mut depth, mut slab, mut order) = (0.0, 0, 0);
+        loop {
+            depth += mu * exponential(rng.next_u32());
+            if depth < 0.0 {
+                return tally.reflect(slab, order);
+            }
+            while half_space.bottoms.get(slab).is_some_and(|&bottom| depth >= bottom) {
+                tally.transmit(slab, order);
+                slab += 1;
+            }
+            if slab == half_space.bottoms.len() {
+                return;
+            }
+            if half_space.absorbs_from < 1 << 32 && u64::from(rng.next_u32()) >= half_space.absorbs_from {
+                return tally.absorb(slab, order);
+            }
+            let v = half_space.table.sample(rng.next_u32());
+            let sine = ((1.0 - mu * mu).max(0.0) * v * (2.0 - v)).sqrt();
+            mu = mu * (1.0 - v) + sine * cos_azimuth(rng.next_u32());
+            order += 1;
+        }
+    }
+
+    /// Side by side or one after the other, with or without vector instructions: the same photons.
+    #[test]
+    fn lanes_change_nothing() {
+        let phase: Arc<dyn PhaseFunction> = Arc::new(HenyeyGreenstein::new(Asymmetry::new(0.85).unwrap()));
+        for omega in [1.0, 0.9] {
+            for (incidence, photons) in [(Incidence::Diffuse, 5_000), (Incidence::beam(0.0).unwrap(), 7)] {
+                let omega = SingleScatteringAlbedo::new(omega).unwrap();
+                let medium = TraceMedium::full(phase.clone(), omega);
+                let tau = vec![0.0, 0.5, 5.0, 16.0];
+                let stop = Stop::Photons(photons);
+                let request = TraceRequest { tau, incidence, stop, max_order: 3, seed: 5, stream: 2 };
+                let half_space = HalfSpace::new(&medium, &request, &request.tau);
+                let mut tally = Tally::new(request.tau.len(), request.bins(), true);
+                let mut flock = tally.clone();
+                for index in 0..photons {
+                    tally.launch(1);
+                    history(&half_space, &mut photon_stream(half_space.key, index), &mut tally);
+                }
+                half_space.trace(0..photons, &mut flock, Control::default());
+                assert_eq!(flock, tally);
+                let counts = tally.spread();
+                assert!(counts.of(3, Quantity::Transmittance(Order::Total)) > 0 || photons < 10);
+            }
+        }
     }
 }

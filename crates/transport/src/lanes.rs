@@ -1,4 +1,4 @@
-//! Sixteen photons side by side: the arithmetic of one collision and one flight, as loops over arrays.
+//! Thirty-two photons side by side: the arithmetic of one collision and one flight, as loops over arrays.
 //!
 //! The number of lanes is fixed and each photon draws from its own stream, so the instruction set that the
 //! processor offers changes the speed and nothing else. The generator is PCG-XSH-RR 64/32 (O'Neill 2014),
@@ -9,7 +9,7 @@ use rand_pcg::Pcg32;
 use stratiform_optics::sampling::SamplingTable;
 
 /// Photons traced side by side.
-pub(crate) const LANES: usize = 16;
+pub(crate) const LANES: usize = 32;
 /// Depth of a lane without a photon: no flight leads out of it.
 const PARKED: f64 = 1e300;
 const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
@@ -131,4 +131,26 @@ pub(crate) fn collide_and_fly(lanes: &mut Lanes, table: &SamplingTable, absorbs_
 fn output(state: u64) -> u32 {
     let shifted = (((state >> 18) ^ state) >> 27) as u32;
     shifted.rotate_right((state >> 59) as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::Rng;
+    use stratiform_stats::{Purpose, key, photon_stream};
+
+    #[test]
+    fn every_lane_continues_its_generator() {
+        let mut lanes = Lanes::parked();
+        let stream = |lane| photon_stream(key(1, Purpose::Calibration), lane as u64);
+        let mut streams: Vec<Pcg32> = (0..LANES).map(stream).collect();
+        for (lane, rng) in streams.iter_mut().enumerate() {
+            rng.next_u32();
+            lanes.place(lane, rng, 1.0, 0.0, 1.0);
+        }
+        for _ in 0..1000 {
+            let words = lanes.draw();
+            assert!(streams.iter_mut().zip(words).all(|(rng, word)| rng.next_u32() == word));
+        }
+    }
 }

@@ -1,8 +1,9 @@
 //! Rounds and batches: who traces which photons, and when to stop.
 //!
-//! Photons are numbered 0, 1, 2 …; a round takes the next [`ROUND`] of them and gives each batch an equal
-//! share. A batch is owned by one task, tallies are integers, and each photon has its own random stream:
-//! the result does not depend on the number of threads.
+//! Photons are numbered 0, 1, 2 …; a round takes the next of them and gives each batch an equal share. A batch is
+//! owned by one task, tallies are integers, and each photon has its own random stream: the result does not
+//! depend on the number of threads. Where a target error is set, the errors after a round decide how long the
+//! next one is, by the law that they fall as one over the root of the photons.
 
 use crate::tally::Tally;
 use crate::{Control, TraceMedium, TraceRequest, Traced, TransportError};
@@ -12,8 +13,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Groups of photons whose scatter among each other gives covariances.
 pub(crate) const BATCHES: usize = 256;
-/// Photons between two looks at the standard errors.
-const ROUND: u64 = 1 << 18;
+/// Photons of the longest round.
+const LONGEST: u64 = 1 << 20;
+/// Photons of the first round where a target error is set.
+const FIRST: u64 = 1 << 16;
+/// Photons of the shortest round after it.
+const SHORTEST: u64 = 1 << 14;
 
 /// A way to trace photons.
 pub(crate) trait Estimator: Sync {
@@ -37,22 +42,27 @@ pub(crate) fn run<'a, E: Estimator>(
     let mut batches = vec![Tally::new(tau.len(), request.bins(), E::NESTED); BATCHES];
     let max = request.stop.max_photons();
     let mut done = 0;
-    loop {
-        let end = max.min(done + ROUND);
+    let mut length = if request.stop.target().is_some() { FIRST } else { LONGEST };
+    while done < max {
+        let end = max.min(done + length);
         round(&estimator, done..end, max, &mut batches, control)?;
         done = end;
-        let so_far = || Traced::new(request, &rank, batches.iter().map(Tally::spread).collect());
-        match request.stop.target() {
-            None if done == max => return so_far(),
-            None => {}
-            Some(target) => {
-                let traced = so_far()?.held_against(target);
-                if done == max || traced.target_reached() == Some(true) {
-                    return Ok(traced);
-                }
+        if let Some(target) = request.stop.target() {
+            let traced = Traced::new(request, &rank, &batches)?.held_against(target);
+            if done == max || traced.target_reached() == Some(true) {
+                return Ok(traced);
             }
+            length = photons_to_go(done, traced.worst_error() / target);
         }
     }
+    Traced::new(request, &rank, &batches)
+}
+
+/// Length of the next round when `done` photons left the error `excess` times too large; 2 % are added so that one
+/// more round is usually enough.
+fn photons_to_go(done: u64, excess: f64) -> u64 {
+    let photons = done as f64 * (1.02 * excess * excess - 1.0);
+    photons.clamp(SHORTEST as f64, LONGEST as f64) as u64
 }
 
 /// Traces `photons`, each batch its share.

@@ -1,6 +1,6 @@
 //! The result of a trace.
 
-use crate::tally::Counts;
+use crate::tally::{Counts, Tally};
 use crate::{Quantity, TraceRequest, TransportError};
 use stratiform_quantities::{Incidence, Order};
 use stratiform_stats::Estimate;
@@ -23,8 +23,9 @@ impl Traced {
     pub(crate) fn new(
         request: &TraceRequest,
         rank: &[usize],
-        batches: Vec<Counts>,
+        batches: &[Tally],
     ) -> Result<Self, TransportError> {
+        let batches: Vec<Counts> = batches.iter().map(Tally::spread).collect();
         let total = Counts::sum(&batches);
         for (&tau, &place) in request.tau.iter().zip(rank) {
             let (counted, launched) = (total.ended(place), total.launched);

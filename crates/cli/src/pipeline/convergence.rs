@@ -1,4 +1,4 @@
-//! `convergence.csv`: how both tracers' errors fall with photons and with seconds, on the fit's whole thickness grid.
+//! `convergence.csv`: how both tracers' errors fall with photons and with seconds.
 
 use super::optics::Cloud;
 use super::reference::Media;
@@ -11,7 +11,20 @@ use std::time::Instant;
 use stratiform_artifact::{ConvergenceRow, OrdersRow, read_csv, write_csv};
 use stratiform_model::table::cos_degrees;
 use stratiform_quantities::{Incidence, Medium, Order};
-use stratiform_transport::{Stop, TraceRequest, Traced, trace_half_space, trace_plain};
+use stratiform_transport::{
+    Control, Stop, TraceMedium, TraceRequest, Traced, TransportError, trace_half_space, trace_plain,
+};
+
+type Tracer = fn(&TraceMedium, &TraceRequest, Control<'_>) -> Result<Traced, TransportError>;
+
+/// What every point of the curves shares.
+struct Curve<'a> {
+    config: &'a Config,
+    media: Media,
+    /// Thicknesses, each with the reference's total reflectance.
+    truth: Vec<(f64, f64)>,
+    talk: Talk,
+}
 
 /// Runs both tracers with rising numbers of photons and writes the file. The error is held against the reference of
 /// the fit, traced with other photons.
@@ -19,37 +32,76 @@ use stratiform_transport::{Stop, TraceRequest, Traced, trace_half_space, trace_p
 /// # Errors
 /// [`CliError::Interrupted`], or [`CliError::Input`] if the angle is none of the reference's or a file fails.
 pub fn write(config: &Config, cloud: &Cloud, dir: &Path, talk: Talk) -> Result<Vec<String>, CliError> {
-    let theta = config.convergence.theta_l_deg;
-    let reference = reference(dir, theta)?;
-    let media = Media::new(config, cloud)?;
-    let mut rows = Vec::new();
-    for &photons in &config.convergence.photons {
-        let request = TraceRequest {
-            tau: cloud.tau(config),
-            incidence: Incidence::beam(cos_degrees(theta))?,
+    let reference = reference(dir, config.convergence.theta_l_deg)?;
+    let truth = thicknesses(config).iter().map(|k| (cloud.tau(config)[*k], reference[*k])).collect();
+    let curve = Curve { config, media: Media::new(config, cloud)?, truth, talk };
+    let mut rows = curve.points("plain", trace_plain, &config.convergence.plain_photons)?;
+    rows.extend(curve.points("half-space", trace_half_space, &config.convergence.half_space_photons)?);
+    write_csv(&dir.join("convergence.csv"), &rows)?;
+    Ok(vec!["convergence.csv".to_owned()])
+}
+
+/// Places in the fit's grid that are nearest to the thicknesses asked for, each once.
+fn thicknesses(config: &Config) -> Vec<usize> {
+    let grid = config.fit.thickness_m.metres();
+    let away = |k: &usize, wanted: f64| libm::log(grid[*k] / wanted).abs();
+    let nearest = |wanted: &f64| (0..grid.len()).min_by(|a, b| away(a, *wanted).total_cmp(&away(b, *wanted)));
+    let mut places: Vec<_> = config.convergence.thickness_m.iter().filter_map(nearest).collect();
+    places.sort_unstable();
+    places.dedup();
+    places
+}
+
+impl Curve<'_> {
+    fn points(
+        &self,
+        estimator: &str,
+        tracer: Tracer,
+        photons: &[u64],
+    ) -> Result<Vec<ConvergenceRow>, CliError> {
+        let mut rows = Vec::new();
+        for &photons in photons {
+            let bar = progress::bar(photons, &format!("{estimator} {photons}"), self.talk.quiet);
+            let advanced = |done: u64, _total: u64| bar.set_position(done);
+            let start = Instant::now();
+            let request = self.request(photons)?;
+            let traced = tracer(self.media.get(Medium::Full), &request, super::control(&advanced))
+                .map_err(super::trace_error)?;
+            let seconds = start.elapsed().as_secs_f64();
+            bar.finish_and_clear();
+            rows.extend(self.compare(estimator, photons, seconds, &traced));
+        }
+        Ok(rows)
+    }
+
+    fn request(&self, photons: u64) -> Result<TraceRequest, CliError> {
+        Ok(TraceRequest {
+            tau: self.truth.iter().map(|(tau, _)| *tau).collect(),
+            incidence: Incidence::beam(cos_degrees(self.config.convergence.theta_l_deg))?,
             stop: Stop::Photons(photons),
             max_order: 0,
             // Other photons than the reference's, and others for each point.
-            seed: config.transport.seed ^ photons.wrapping_mul(0x9e37_79b9_7f4a_7c15),
+            seed: self.config.transport.seed ^ photons.wrapping_mul(0x9e37_79b9_7f4a_7c15),
             stream: 0,
-        };
-        for estimator in ["plain", "half-space"] {
-            let bar = progress::bar(photons, &format!("{estimator} {photons}"), talk.quiet);
-            let advanced = |done: u64, _total: u64| bar.set_position(done);
-            let start = Instant::now();
-            let (medium, control) = (media.get(Medium::Full), super::control(&advanced));
-            let traced = match estimator {
-                "plain" => trace_plain(medium, &request, control),
-                _ => trace_half_space(medium, &request, control),
-            }
-            .map_err(super::trace_error)?;
-            let seconds = start.elapsed().as_secs_f64();
-            bar.finish_and_clear();
-            rows.extend(compare(estimator, theta, photons, seconds, &traced, &reference));
-        }
+        })
     }
-    write_csv(&dir.join("convergence.csv"), &rows)?;
-    Ok(vec!["convergence.csv".to_owned()])
+
+    fn compare(&self, estimator: &str, photons: u64, seconds: f64, traced: &Traced) -> Vec<ConvergenceRow> {
+        let row = |(index, (tau, truth)): (usize, &(f64, f64))| {
+            let reflectance = traced.estimate(index, Order::Total).0;
+            ConvergenceRow {
+                estimator: estimator.to_owned(),
+                theta_l_deg: self.config.convergence.theta_l_deg,
+                tau: *tau,
+                order: Order::Total.to_string(),
+                photons,
+                seconds,
+                error: (reflectance.value - truth).abs(),
+                std_error: reflectance.std_error,
+            }
+        };
+        self.truth.iter().enumerate().map(row).collect()
+    }
 }
 
 /// Total reflectance of the full medium at each thickness.
@@ -65,28 +117,4 @@ fn reference(dir: &Path, theta: f64) -> Result<Vec<f64>, CliError> {
         )));
     }
     Ok(values)
-}
-
-fn compare(
-    estimator: &str,
-    theta_l_deg: f64,
-    photons: u64,
-    seconds: f64,
-    traced: &Traced,
-    reference: &[f64],
-) -> Vec<ConvergenceRow> {
-    let row = |(index, tau): (usize, &f64)| {
-        let reflectance = traced.estimate(index, Order::Total).0;
-        ConvergenceRow {
-            estimator: estimator.to_owned(),
-            theta_l_deg,
-            tau: *tau,
-            order: Order::Total.to_string(),
-            photons,
-            seconds,
-            error: (reflectance.value - reference[index]).abs(),
-            std_error: reflectance.std_error,
-        }
-    };
-    traced.tau().iter().enumerate().map(row).collect()
 }

@@ -6,9 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use stratiform_artifact::{
-    Provenance, create_folder, hash_bytes, hash_of, read_json, write_atomic, write_json,
-};
+use stratiform_artifact::{Provenance, create_folder, hash_bytes, hash_of, read_json, write_json};
 
 /// What a stage left behind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

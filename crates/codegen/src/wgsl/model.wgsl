@@ -22,7 +22,12 @@ fn stratiform_node_mu(i: u32) -> f32 {
     }
 }
 
-// The parameters at mu_l: linear in mu_l between rows.
+// p * q / (q + (p - q) * w): 1/p to 1/q linearly.
+fn stratiform_mix_reciprocal(p: f32, q: f32, w: f32) -> f32 {
+    return p * q / (q + (p - q) * w);
+}
+
+// The parameters at mu_l: between rows b, t, 1/c, 1/kappa_c and 1/r are linear in mu_l.
 fn stratiform_parameters(mu_l: f32) -> StratiformParameters {
     let i = @INTERVAL@;
     let mu_a = stratiform_node_mu(i);
@@ -32,10 +37,10 @@ fn stratiform_parameters(mu_l: f32) -> StratiformParameters {
     let q = stratiform_node(i + 1u);
     return StratiformParameters(
         p.b + (q.b - p.b) * w,
-        p.c + (q.c - p.c) * w,
-        p.kappa_c + (q.kappa_c - p.kappa_c) * w,
+        stratiform_mix_reciprocal(p.c, q.c, w),
+        stratiform_mix_reciprocal(p.kappa_c, q.kappa_c, w),
         p.t + (q.t - p.t) * w,
-        p.r + (q.r - p.r) * w,
+        stratiform_mix_reciprocal(p.r, q.r, w),
     );
 }
 

@@ -1,70 +1,12 @@
-//! Sums over radii, and the radii themselves.
-//!
-//! r = s² with s equidistant: sizes are sampled more densely, in x, where there are many. Both ends of the range
-//! carry next to no weight, so that the trapezoid rule converges as fast as the integrand is smooth. Halving the
-//! step keeps every radius used before.
+//! Sums over radii of everything the averages need.
 
 use super::kernel::{self, Sphere};
-use crate::droplets::SizeDistribution;
+use super::radii::Node;
 use crate::mie::{Coefficients, RefractiveIndex, SizeParameter, efficiencies};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
-/// A radius in µm with its weight n(r) dr/ds.
-type Node = (f64, f64);
-
-/// The nested radii of one distribution.
-pub(super) struct Radii<'a> {
-    droplets: &'a SizeDistribution,
-    cells: usize,
-}
-
-impl<'a> Radii<'a> {
-    /// Fewer radii are not believed, however well they agree.
-    pub(super) const FEWEST: u64 = 512;
-    const FIRST: usize = 128;
-
-    pub(super) fn new(droplets: &'a SizeDistribution) -> Self {
-        Self { droplets, cells: Self::FIRST }
-    }
-
-    pub(super) fn count(&self) -> u64 {
-        self.cells as u64
-    }
-
-    fn ends(&self) -> [f64; 2] {
-        self.droplets.scattering_range().map(f64::sqrt)
-    }
-
-    /// The step in s; 1 for a single size, whose only weight is 1.
-    pub(super) fn step(&self) -> f64 {
-        let [low, high] = self.ends();
-        if self.droplets.single_radius().is_some() { 1.0 } else { (high - low) / self.cells as f64 }
-    }
-
-    fn node(&self, s: f64, share: f64) -> Node {
-        (s * s, 2.0 * s * share * self.droplets.density(s * s))
-    }
-
-    /// The coarsest rule's radii.
-    pub(super) fn first(&self) -> Vec<Node> {
-        if let Some(radius) = self.droplets.single_radius() {
-            return vec![(radius, 1.0)];
-        }
-        let ([low, _], step) = (self.ends(), self.step());
-        let share = |i: usize| if i == 0 || i == self.cells { 0.5 } else { 1.0 };
-        (0..=self.cells).map(|i| self.node(low + step * i as f64, share(i))).collect()
-    }
-
-    /// Halves the step and returns the radii that come in between.
-    pub(super) fn halve(&mut self) -> Vec<Node> {
-        self.cells *= 2;
-        let ([low, _], step) = (self.ends(), self.step());
-        (0..self.cells / 2).map(|i| self.node(low + step * (2 * i + 1) as f64, 1.0)).collect()
-    }
-}
-
-/// Sums of n(r) dr/ds times cross-sections and intensities; the common factor ds is left out.
+/// Sums of n(r) dr/du times cross-sections and intensities; the common factor du is left out.
 #[derive(Clone, Debug)]
 pub(super) struct Average {
     extinction: f64,
@@ -123,6 +65,7 @@ impl Average {
         self.extinction
     }
 
+    /// ω; droplets that do not absorb have Q_sca = Q_ext to rounding, which may fall on either side of 1.
     pub(super) fn albedo(&self) -> f64 {
         (self.scattering / self.extinction).min(1.0)
     }

@@ -106,3 +106,38 @@ fn add_intensity(sphere: &Sphere, rows: &[[f64; LANES]], plus: &mut [f64; LANES]
         minus[l] += sphere.weight * (mr[l] * mr[l] + mi[l] * mi[l]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mie::{RefractiveIndex, SizeParameter};
+
+    /// The same sums angle by angle, compiled for the least instruction set.
+    fn plainly(sphere: &Sphere, mu: f64) -> [f64; 2] {
+        let (mut pi, mut before, mut sums) = (1.0, 0.0, [0.0; 4]);
+        for (i, c) in sphere.orders.iter().enumerate() {
+            let n = (i + 1) as f64;
+            let s = mu * pi;
+            let t = s - before;
+            let p = pi + (n * t - before);
+            sums.iter_mut().zip(c).for_each(|(sum, c)| *sum += c * p);
+            (before, pi) = (pi, s + (n + 1.0) / n * t);
+        }
+        let [pr, pi, mr, mi] = sums;
+        [sphere.weight * (pr * pr + pi * pi), sphere.weight * (mr * mr + mi * mi)]
+    }
+
+    #[test]
+    fn every_instruction_set_gives_the_same_bits() {
+        let index = RefractiveIndex::new(1.333, 1e-6).unwrap();
+        let sphere = Sphere::new(&Coefficients::new(SizeParameter::new(83.7).unwrap(), index), 0.3);
+        let angles: Vec<f64> = (0..=36).map(|i| 5.0 * f64::from(i)).collect();
+        let cosines = Cosines::new(&angles);
+        let all: Vec<f64> = cosines.tiles.as_flattened()[..angles.len()].to_vec();
+        let (plus, minus) = intensities(&[sphere], &cosines);
+        let sphere = Sphere::new(&Coefficients::new(SizeParameter::new(83.7).unwrap(), index), 0.3);
+        for (i, mu) in all.iter().enumerate() {
+            assert_eq!([plus[i], minus[i]], plainly(&sphere, *mu), "{}", angles[i]);
+        }
+    }
+}

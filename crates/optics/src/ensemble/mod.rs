@@ -8,6 +8,7 @@
 mod angles;
 mod average;
 mod kernel;
+mod radii;
 mod tolerance;
 
 pub use angles::angle_grid;
@@ -17,7 +18,8 @@ use crate::OpticsError;
 use crate::droplets::SizeDistribution;
 use crate::mie::{RefractiveIndex, SizeParameter};
 use crate::phase::{Norm, PhaseTable};
-use average::{Average, Radii};
+use average::Average;
+use radii::Radii;
 use std::f64::consts::PI;
 use stratiform_artifact::{Extinction, ReachedError};
 
@@ -98,11 +100,12 @@ pub fn refine(
     if spec.droplets.single_radius().is_some() {
         return Ok(last.finish(spec, ReachedError { radii: 1, ..tolerance::ZERO }, radii.step()));
     }
+    let mut reached = tolerance::ZERO;
     loop {
         let mut average = last.average.clone();
         average.add(&radii.halve(), wave_number, index, &angles);
         let next = Refinement::new(spec, average, &radii, &angles)?;
-        let reached = next.summary.error(&last.summary, radii.count());
+        reached = next.summary.error(&last.summary, &reached, radii.count());
         progress(&reached, &next.phase);
         last = next;
         if radii.count() >= Radii::FEWEST && spec.tolerance.met_by(&reached) {

@@ -96,8 +96,22 @@ impl Summary {
         })
     }
 
-    /// The differences from `last`.
-    pub(super) fn error(&self, last: &Self, radii: u64) -> ReachedError {
+    /// The differences from `last`, whose own error was `before`. Two refinements may agree by chance: none counts as
+    /// less than a quarter of the difference before.
+    pub(super) fn error(&self, last: &Self, before: &ReachedError, radii: u64) -> ReachedError {
+        let now = self.differences(last, radii);
+        let guard = |now: f64, before: f64| now.max(0.25 * before);
+        ReachedError {
+            radii,
+            asymmetry: guard(now.asymmetry, before.asymmetry),
+            forward_fraction: guard(now.forward_fraction, before.forward_fraction),
+            moments: guard(now.moments, before.moments),
+            phase_below_60_deg: guard(now.phase_below_60_deg, before.phase_below_60_deg),
+            phase_beyond_60_deg: guard(now.phase_beyond_60_deg, before.phase_beyond_60_deg),
+        }
+    }
+
+    fn differences(&self, last: &Self, radii: u64) -> ReachedError {
         let moments = self.moments.iter().zip(&last.moments).map(|(a, b)| (a - b).abs());
         ReachedError {
             radii,

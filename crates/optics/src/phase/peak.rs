@@ -72,16 +72,16 @@ impl PhaseTable {
         Self::new(self.theta_deg().to_vec(), p, Norm::Any)
     }
 
-    /// The number of moments whose squares matter: the rest of Σ(2l+1)χ_l² is below 1e-6 of the sum.
+    /// The number of moments whose squares matter: the rest of Σ(2l+1)χ_l² is below 1e-4 of the sum.
     fn square_order(&self) -> usize {
-        const MOST: usize = 1 << 14;
+        const MOST: usize = 1 << 13;
         let mut count = 256;
         loop {
             let moments = self.moments(count);
             let term = |l: usize| (2 * l + 1) as f64 * moments[l] * moments[l];
             let total = (0..count).fold(0.0, |sum, l| sum + term(l));
             let tail = (count - count / 4..count).fold(0.0, |sum, l| sum + term(l));
-            if tail < 1e-6 * total || count >= MOST {
+            if tail < 1e-4 * total || count >= MOST {
                 return count;
             }
             count *= 2;

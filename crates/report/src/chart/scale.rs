@@ -22,6 +22,8 @@ pub struct Scale {
 
 /// Free space beyond the data at either end, as a share of the axis.
 const MARGIN: f64 = 0.03;
+/// Axis lengths beyond which nothing is drawn.
+const FAR: f64 = 1e3;
 
 impl Scale {
     /// A linear axis that covers the finite values and some space beside them; 0…1 if there are none.
@@ -50,13 +52,14 @@ impl Scale {
         Self { step: Some(step), ..self }
     }
 
-    /// Place along the axis, 0 at its start and 1 at its end; `None` if the axis cannot show `value`.
+    /// Place along the axis, 0 at its start and 1 at its end; `None` if the axis cannot show `value`, or if
+    /// that is hundreds of axis lengths away.
     pub fn position(&self, value: f64) -> Option<f64> {
         if !value.is_finite() || (self.logarithmic && value <= 0.0) {
             return None;
         }
         let v = if self.logarithmic { libm::log10(value) } else { value };
-        Some((v - self.low) / (self.high - self.low))
+        Some((v - self.low) / (self.high - self.low)).filter(|place| place.abs() < FAR)
     }
 
     /// About `target` labelled ticks, and minor ones between.
@@ -82,7 +85,9 @@ impl Scale {
     fn log_ticks(&self, target: usize) -> Vec<Tick> {
         let (first, last) = (libm::floor(self.low) as i32, libm::ceil(self.high) as i32);
         let decades = self.high - self.low;
-        let every = libm::ceil(decades / target.max(1) as f64).max(1.0) as i32;
+        // Powers of ten are read at a glance, so they may stand closer than other labels.
+        let target = 1.5 * target.max(1) as f64;
+        let every = libm::ceil(decades / target).max(1.0) as i32;
         let plain = first >= -3 && last <= 4;
         let inside = |v: f64| self.position(v).is_some_and(|p| (0.0..=1.0).contains(&p));
         (first..=last)
@@ -90,7 +95,7 @@ impl Scale {
             .map(|(exponent, digit)| {
                 let labelled = match digit {
                     1 => exponent.rem_euclid(every) == 0,
-                    2 | 5 => 3.0 * decades <= target as f64,
+                    2 | 5 => 3.0 * decades <= target,
                     _ => false,
                 };
                 let value = f64::from(digit) * libm::pow(10.0, f64::from(exponent));
@@ -152,8 +157,8 @@ mod tests {
 
     #[test]
     fn logarithmic_ticks_are_powers_of_ten() {
-        assert_eq!(labels(Scale::logarithmic([1.0, 1000.0]), 5), ["1", "10", "100", "1000"]);
-        assert_eq!(labels(Scale::logarithmic([2e-6, 3e-4]), 5), ["10^{−5}", "10^{−4}"]);
+        assert_eq!(labels(Scale::logarithmic([1.0, 1000.0]), 4), ["1", "10", "100", "1000"]);
+        assert_eq!(labels(Scale::logarithmic([2e-6, 3e-4]), 3), ["10^{−5}", "10^{−4}"]);
         assert_eq!(labels(Scale::logarithmic([0.03, 0.6]), 5), ["0.05", "0.1", "0.2", "0.5"]);
     }
 

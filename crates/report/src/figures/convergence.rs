@@ -42,9 +42,10 @@ pub fn figure(rows: &[ConvergenceRow]) -> Figure {
     Figure {
         name: "convergence".to_owned(),
         title: "Convergence of the photon tracer".to_owned(),
-        caption: "Root mean square of the error of the reflectance (difference from a run of many more photons) \
-                  over all angles, thicknesses and orders of convergence.csv, and of the standard error that the \
-                  runs claim for themselves."
+        caption: "Root mean square, over the angles, thicknesses and orders of convergence.csv, of the error of the \
+                  reflectance (difference from a run of many more photons) and of the standard error that the runs \
+                  claim for themselves. The thicknesses of one half-space run share their photons, so its points \
+                  scatter together."
             .to_owned(),
         legend,
         rows: vec![Row { height: 340.0, panels }],

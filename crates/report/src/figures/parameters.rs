@@ -63,13 +63,21 @@ fn panel(inputs: &Inputs, label: &str, fitted: Fitted, published: Published) -> 
         Series { style: EMITTED, points: emitted.collect() },
     ];
     let points = || series.iter().flat_map(|s| &s.points);
+    // Parameters per metre span decades.
+    let tops = points().map(|p| p.y + p.error.min(p.y.abs()));
+    let spans_decades = label.ends_with("(1/m)") && points().all(|p| p.y > 0.0);
+    let scale = if spans_decades {
+        Scale::logarithmic(tops.chain(points().map(|p| p.y)))
+    } else {
+        Scale::linear(tops.chain([0.0]))
+    };
     Panel {
         title: String::new(),
         x: Axis::new(
             "θ_{l} (degrees)",
             Scale::linear(points().map(|p| p.x).chain([0.0, 90.0])).with_step(30.0),
         ),
-        y: Axis::new(label, Scale::linear(points().map(|p| p.y + p.error.min(p.y.abs())).chain([0.0]))),
+        y: Axis::new(label, scale),
         series,
         marks: Vec::new(),
     }

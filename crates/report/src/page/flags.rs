@@ -14,7 +14,7 @@ fn words(flag: Flag) -> &'static str {
         Flag::KappaCOnBound => "κ_{c} sits on a bound of the fit",
         Flag::TOnBound => "t sits on a bound of the fit",
         Flag::ROnBound => "r sits on a bound of the fit",
-        Flag::BetaFixed => "β was taken from the other angles: the form cannot fit here",
+        Flag::BetaFixed => "β was taken from the other rows, not fitted here",
         Flag::NegativeT3Plus => "the fitted model's T_{3+} is negative (below −0.001) at some thickness",
         Flag::NegativeR3Plus => "the fitted model's R_{3+} is negative (below −0.001) at some thickness",
         Flag::OutsideUnitInterval => "the fitted model leaves [0, 1] at some thickness",

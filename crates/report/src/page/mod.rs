@@ -94,7 +94,7 @@ fn drawn<'a>(figures: impl Iterator<Item = &'a Figure>) -> Markup {
     html! {
         @if figures.peek().is_none() { p { "No figure: its data are not in the folder." } }
         @for figure in figures {
-            figure id=(figure.name) {
+            figure id={ "figure-" (figure.name) } {
                 div class="drawing" { (figure.draw()) }
                 figcaption { (rich(&figure.caption)) " File: " code { "figures/" (figure.name) ".svg" } "." }
             }

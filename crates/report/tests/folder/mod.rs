@@ -1,5 +1,12 @@
 //! A synthetic folder of artifacts: made-up numbers of plausible size, the same every time.
 
+#![allow(
+    dead_code,
+    clippy::unwrap_used,
+    missing_docs,
+    reason = "test data of which each test file uses a part"
+)]
+
 use std::path::Path;
 use stratiform_artifact::*;
 use stratiform_quantities::{ExtinctionConvention, Medium};
@@ -65,8 +72,8 @@ pub fn thicknesses() -> Vec<f64> {
 
 fn write_phase(path: &Path, g: f64, ripple: f64) {
     let mut text = "theta_deg,p\n".to_owned();
-    for i in 0..=3600 {
-        let theta = 180.0 * libm::pow(f64::from(i) / 3600.0, 1.5);
+    for i in 0..=1800 {
+        let theta = 180.0 * libm::pow(f64::from(i) / 1800.0, 1.5);
         let mu = libm::cos(theta.to_radians());
         let smooth = 0.6 * (1.0 - g * g) / libm::pow(1.0 + g * g - 2.0 * g * mu, 1.5);
         let bump = |at: f64, width: f64| libm::exp(-((theta - at) / width) * ((theta - at) / width));
@@ -157,8 +164,8 @@ pub fn curves() -> Vec<CurvesRow> {
     let mut rows = Vec::new();
     for (model_name, table) in [(CurveModel::Fitted, FITTED), (CurveModel::Published, PUBLISHED)] {
         for parameters in table {
-            for i in 0..=120 {
-                let thickness_m = libm::pow(10.0, 3.0 * f64::from(i) / 120.0);
+            for i in 0..=60 {
+                let thickness_m = libm::pow(10.0, 3.0 * f64::from(i) / 60.0);
                 let [t_ms, t_0, t_1, t_2, r_1, r_2] = model(parameters, 0.9961, thickness_m);
                 let (t_3, r_3) = (t_ms - t_0 - t_1 - t_2, 1.0 - t_ms - r_1 - r_2);
                 let values = [t_ms, 1.0 - t_ms, t_0, t_1, t_2, t_3, r_1, r_2, r_3];

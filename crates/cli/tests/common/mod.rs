@@ -1,0 +1,40 @@
+//! Running the real binary.
+
+#![allow(dead_code, reason = "each test program uses its part")]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// The repository's root.
+pub fn root() -> PathBuf {
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+}
+
+/// The command with `args`, run in `dir`.
+pub fn command(dir: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_stratiform"));
+    command.current_dir(dir).args(args).env("STRATIFORM_CACHE", dir.join("cache"));
+    command
+}
+
+/// Runs it to the end.
+pub fn run(dir: &Path, args: &[&str]) -> Output {
+    command(dir, args).output().unwrap()
+}
+
+/// stdout of a run that must succeed.
+pub fn stdout(dir: &Path, args: &[&str]) -> String {
+    let output = run(dir, args);
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{args:?}: {error}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// The paper's config with `(from, to)` replaced in its text; each must occur.
+pub fn config(replacements: &[(&str, &str)]) -> String {
+    let text = std::fs::read_to_string(root().join("fit-configs/appendix-b.toml")).unwrap();
+    replacements.iter().fold(text, |text, (from, to)| {
+        assert!(text.contains(from), "`{from}` is not in the config");
+        text.replacen(from, to, 1)
+    })
+}

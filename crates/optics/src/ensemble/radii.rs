@@ -1,0 +1,97 @@
+//! The radii of the quadrature: a trapezoid rule in a variable u that crowds them where they matter.
+//!
+//! Narrow resonances, hit or missed by chance, limit the error; their variance falls fastest, for a given sum of
+//! costs ∝ r, if radii are dense where droplets scatter much. du/dr is therefore √(r³n(r)) over its maximum, plus a
+//! floor that keeps every part of the range sampled. Between knots r(u) is the cubic Hermite polynomial, whose
+//! derivative weights the radii: the rule stays exact for smooth integrands. Halving the step keeps every radius used before.
+
+use crate::droplets::SizeDistribution;
+
+/// A radius in µm with its weight n(r) dr/du.
+pub(super) type Node = (f64, f64);
+
+/// Share of the largest density of radii that every radius gets at least.
+const FLOOR: f64 = 0.02;
+
+/// Knots of r(u), equidistant in ln r.
+const KNOTS: usize = 2048;
+
+/// r at u, and dr/du there.
+#[derive(Clone, Copy, Debug)]
+struct Knot {
+    u: f64,
+    r: f64,
+    slope: f64,
+}
+
+/// The nested radii of one distribution.
+pub(super) struct Radii<'a> {
+    droplets: &'a SizeDistribution,
+    knots: Vec<Knot>,
+    cells: usize,
+}
+
+impl<'a> Radii<'a> {
+    /// Fewer radii are not believed, however well they agree.
+    pub(super) const FEWEST: u64 = 512;
+    const FIRST: usize = 128;
+
+    pub(super) fn new(droplets: &'a SizeDistribution) -> Self {
+        Self { droplets, knots: knots(droplets), cells: Self::FIRST }
+    }
+
+    pub(super) fn count(&self) -> u64 {
+        self.cells as u64
+    }
+
+    /// The step in u; 1 for a single size, whose only weight is 1.
+    pub(super) fn step(&self) -> f64 {
+        if self.droplets.single_radius().is_some() { 1.0 } else { 1.0 / self.cells as f64 }
+    }
+
+    /// The coarsest rule's radii.
+    pub(super) fn first(&self) -> Vec<Node> {
+        if let Some(radius) = self.droplets.single_radius() {
+            return vec![(radius, 1.0)];
+        }
+        let share = |i: usize| if i == 0 || i == self.cells { 0.5 } else { 1.0 };
+        (0..=self.cells).map(|i| self.node(i as f64 * self.step(), share(i))).collect()
+    }
+
+    /// Halves the step and returns the radii that come in between.
+    pub(super) fn halve(&mut self) -> Vec<Node> {
+        self.cells *= 2;
+        (0..self.cells / 2).map(|i| self.node((2 * i + 1) as f64 * self.step(), 1.0)).collect()
+    }
+
+    fn node(&self, u: f64, share: f64) -> Node {
+        let right = self.knots.partition_point(|knot| knot.u < u).clamp(1, self.knots.len() - 1);
+        let (r, slope) = hermite(self.knots[right - 1], self.knots[right], u);
+        (r, share * slope * self.droplets.density(r))
+    }
+}
+
+/// The cubic through both knots with their slopes, and its derivative.
+fn hermite(a: Knot, b: Knot, u: f64) -> (f64, f64) {
+    let width = b.u - a.u;
+    let t = (u - a.u) / width;
+    let (rise, sa, sb) = (b.r - a.r, a.slope * width, b.slope * width);
+    let (c2, c3) = (3.0 * rise - 2.0 * sa - sb, sa + sb - 2.0 * rise);
+    (a.r + t * (sa + t * (c2 + t * c3)), (sa + t * (2.0 * c2 + 3.0 * t * c3)) / width)
+}
+
+fn knots(droplets: &SizeDistribution) -> Vec<Knot> {
+    let [low, high] = droplets.scattering_range();
+    let ratio = libm::log(high / low) / KNOTS as f64;
+    let radii: Vec<f64> = (0..=KNOTS).map(|i| low * libm::exp(ratio * i as f64)).collect();
+    let matter: Vec<f64> = radii.iter().map(|r| (r * r * r * droplets.density(*r)).sqrt()).collect();
+    let largest = matter.iter().fold(f64::MIN_POSITIVE, |most, w| w.max(most));
+    let density: Vec<f64> = matter.iter().map(|w| w / largest + FLOOR).collect();
+    let mut sums = vec![0.0; radii.len()];
+    for i in 1..radii.len() {
+        sums[i] = sums[i - 1] + 0.5 * (density[i - 1] + density[i]) * (radii[i] - radii[i - 1]);
+    }
+    let total = sums[KNOTS].max(f64::MIN_POSITIVE);
+    let knot = |i: usize| Knot { u: sums[i] / total, r: radii[i], slope: total / density[i] };
+    (0..=KNOTS).map(knot).collect()
+}

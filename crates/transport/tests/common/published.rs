@@ -1,0 +1,79 @@
+//! Published fluxes of homogeneous slabs: van de Hulst 1980 and the DISORT test problems 1 to 5a.
+//!
+//! Their rounding (5 decimals or 6 digits) is far below the standard errors of the traces held against them.
+
+use super::hg;
+use std::path::Path;
+use std::sync::Arc;
+use stratiform_optics::phase::{Isotropic, PhaseFunction, PhaseTable, Rayleigh};
+use stratiform_quantities::Incidence;
+
+pub struct Published {
+    pub name: String,
+    pub phase: Arc<dyn PhaseFunction>,
+    pub tau: f64,
+    pub omega: f64,
+    pub incidence: Incidence,
+    pub reflectance: f64,
+    pub transmittance: f64,
+}
+
+/// All cases of both sources.
+pub fn published() -> Vec<Published> {
+    let van_de_hulst = rows("van-de-hulst-1980/fluxes.csv").into_iter().map(van_de_hulst);
+    van_de_hulst.chain(rows("disort-tests/fluxes.csv").into_iter().map(disort)).collect()
+}
+
+fn rows(file: &str) -> Vec<Vec<String>> {
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data"));
+    let text = std::fs::read_to_string(folder.join(file)).unwrap();
+    text.lines().skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect()
+}
+
+fn number(field: &str) -> f64 {
+    field.parse().unwrap()
+}
+
+/// g, tau, omega, mu0, reflectance, transmittance.
+fn van_de_hulst(row: Vec<String>) -> Published {
+    Published {
+        name: format!("van de Hulst g {} tau {}", row[0], row[1]),
+        phase: hg(number(&row[0])),
+        tau: number(&row[1]),
+        omega: number(&row[2]),
+        incidence: row[3].parse().unwrap(),
+        reflectance: number(&row[4]),
+        transmittance: number(&row[5]),
+    }
+}
+
+/// case, phase, tau, omega, mu0, incident flux, flux up at the top, direct and diffuse flux down at the bottom.
+fn disort(row: Vec<String>) -> Published {
+    let incident = number(&row[5]);
+    Published {
+        name: format!("DISORT {}", row[0]),
+        phase: phase(&row[1]),
+        tau: number(&row[2]),
+        omega: number(&row[3]),
+        incidence: row[4].parse().unwrap(),
+        reflectance: number(&row[6]) / incident,
+        transmittance: (number(&row[7]) + number(&row[8])) / incident,
+    }
+}
+
+fn phase(name: &str) -> Arc<dyn PhaseFunction> {
+    match name.split_once(':') {
+        None if name == "isotropic" => Arc::new(Isotropic),
+        None if name == "rayleigh" => Arc::new(Rayleigh),
+        Some(("hg", g)) => hg(number(g)),
+        Some(("moments", file)) => Arc::new(from_coefficients(file)),
+        _ => panic!("phase function `{name}`"),
+    }
+}
+
+/// From the columns l, beta_l = (2l+1)χ_l.
+fn from_coefficients(file: &str) -> PhaseTable {
+    let rows = rows(&format!("disort-tests/{file}"));
+    let chi: Vec<f64> = rows.iter().map(|row| number(&row[1]) / (2.0 * number(&row[0]) + 1.0)).collect();
+    PhaseTable::from_moments(&chi).unwrap()
+}

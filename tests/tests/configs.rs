@@ -1,0 +1,48 @@
+//! Every committed config is sound, and the committed emitted text is fresh.
+
+use std::fs;
+use std::path::PathBuf;
+use stratiform_cli::config::Config;
+use stratiform_cli::pipeline::accepted;
+use stratiform_tests::root;
+
+fn configs() -> Vec<PathBuf> {
+    let entries = fs::read_dir(root().join("fit-configs")).unwrap().map(|entry| entry.unwrap().path());
+    entries.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect()
+}
+
+#[test]
+fn every_config_loads() {
+    assert!(!configs().is_empty());
+    for path in configs() {
+        Config::load(&path).unwrap_or_else(|error| panic!("{error}"));
+    }
+}
+
+#[test]
+fn emitted_text_is_fresh_and_valid() {
+    for path in configs() {
+        let config = Config::load(&path).unwrap();
+        let folder = root().join("fit-configs");
+        let files =
+            stratiform_codegen::generate(&accepted::read(&folder.join(&config.codegen.accepted)).unwrap())
+                .unwrap();
+        if let Err(stale) = stratiform_codegen::check(&files, &folder.join(&config.codegen.output)) {
+            let list: Vec<_> = stale.iter().map(ToString::to_string).collect();
+            panic!("{}", list.join("\n"));
+        }
+        for (name, text) in files.iter().filter(|(name, _)| name.ends_with(".wgsl")) {
+            // The self-test is a part that stands before the model.
+            let text = if name.contains("self_test") {
+                stratiform_codegen::self_test_module(&files).unwrap()
+            } else {
+                text.clone()
+            };
+            let module = naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let flags = naga::valid::ValidationFlags::all();
+            naga::valid::Validator::new(flags, naga::valid::Capabilities::empty())
+                .validate(&module)
+                .unwrap_or_else(|error| panic!("{name}: {error}"));
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! The chain on a small run: every file is there, nothing runs twice, and the bytes depend on the seed alone.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use stratiform_cli::config::Config;
+use stratiform_cli::output::Talk;
+use stratiform_cli::pipeline::{Target, run};
+use stratiform_tests::paper_config;
+
+/// The paper's cloud with few photons and a coarse quadrature.
+fn small() -> Config {
+    let mut config = paper_config();
+    config.transport.photons = 2_000;
+    config.transport.photons_between = 500;
+    config.convergence.plain_photons = vec![100, 300];
+    config.convergence.half_space_photons = vec![100, 300];
+    config.optics.wavelengths_um = vec![0.55];
+    config.optics.tolerance.asymmetry = 2e-3;
+    config.optics.tolerance.forward_fraction = 2e-3;
+    config.optics.tolerance.moments = 2e-3;
+    config.optics.tolerance.phase_below_60_deg = 3e-2;
+    config.optics.tolerance.phase_beyond_60_deg = 0.1;
+    config
+}
+
+fn files(folder: &Path, under: &str, found: &mut BTreeMap<String, Vec<u8>>) {
+    for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
+        let name = format!("{under}{}", entry.file_name().to_string_lossy());
+        if entry.path().is_dir() {
+            files(&entry.path(), &format!("{name}/"), found);
+        } else {
+            found.insert(name, fs::read(entry.path()).unwrap());
+        }
+    }
+}
+
+fn all(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    files(folder, "", &mut found);
+    found
+}
+
+/// Files that hold wall times, or draw them.
+fn is_timed(name: &str) -> bool {
+    name == "manifest.json" || name.contains("convergence") || name == "report.html"
+}
+
+#[test]
+fn reproduce_leaves_every_file_once_and_the_same_bytes_twice() {
+    let (first, second) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let (config, talk) = (small(), Talk { quiet: true });
+    run(&config, first.path(), Target::Report, talk).unwrap();
+    let once = all(first.path());
+    for name in [
+        "accepted/reference.csv",
+        "convergence.csv",
+        "generated/stratiform.wgsl",
+        "manifest.json",
+        "notes.json",
+        "optics/optics.json",
+        "orders.csv",
+        "parameters.csv",
+        "parameters.json",
+        "report.html",
+    ] {
+        assert!(once.contains_key(name), "{name} is missing");
+    }
+    assert!(once.keys().filter(|name| name.starts_with("figures/")).count() >= 5);
+    assert!(once.keys().all(|name| !name.contains("partial")));
+
+    run(&config, first.path(), Target::Report, talk).unwrap();
+    assert!(all(first.path()) == once, "an unchanged stage ran again");
+
+    run(&config, second.path(), Target::Report, talk).unwrap();
+    for (name, bytes) in all(second.path()).iter().filter(|(name, _)| !is_timed(name)) {
+        assert!(*bytes == once[name], "{name} differs between two runs");
+    }
+
+    let mut changed = config.clone();
+    changed.transport.seed += 1;
+    run(&changed, first.path(), Target::Fit, talk).unwrap();
+    let now = all(first.path());
+    assert!(
+        now["orders.csv"] != once["orders.csv"] && now["optics/optics.json"] == once["optics/optics.json"]
+    );
+}
