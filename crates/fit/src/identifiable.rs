@@ -10,6 +10,7 @@
 use crate::matrix::{dot, norm};
 use crate::{FitError, Reference};
 use stratiform_quantities::Incidence;
+use stratiform_stats::Estimate;
 
 /// A fitted curve of T_ms.
 pub(crate) struct Curve<'a> {
@@ -48,9 +49,9 @@ impl Curve<'_> {
 /// has no neighbours: its c stays free.
 pub(crate) fn interpolated(
     references: &[Reference],
-    c: &[Option<f64>],
+    c: &[Option<Estimate>],
     [lower, upper]: [f64; 2],
-) -> Result<Vec<Option<f64>>, FitError> {
+) -> Result<Vec<Option<Estimate>>, FitError> {
     let mut cosines = Vec::with_capacity(references.len());
     for reference in references {
         cosines.push(match reference.light()? {
@@ -58,19 +59,34 @@ pub(crate) fn interpolated(
             Incidence::Diffuse => None,
         });
     }
-    let node = |(mu, c): (&Option<f64>, &Option<f64>)| Some(((*mu)?, libm::log((*c)?)));
-    let nodes: Vec<(f64, f64)> = cosines.iter().zip(c).filter_map(node).collect();
-    let middle = 0.5 * libm::log(lower * upper);
-    let held = |mu: f64| libm::exp(between(&nodes, mu).unwrap_or(middle)).clamp(lower, upper);
+    let node = |(mu, c): (&Option<f64>, &Option<Estimate>)| {
+        let (mu, c) = ((*mu)?, (*c)?);
+        Some((mu, Estimate { value: libm::log(c.value), std_error: c.std_error / c.value }))
+    };
+    let nodes: Vec<(f64, Estimate)> = cosines.iter().zip(c).filter_map(node).collect();
+    let middle = Estimate { value: 0.5 * libm::log(lower * upper), std_error: 0.0 };
+    let held = |mu: f64| {
+        let log = between(&nodes, mu).unwrap_or(middle);
+        let value = libm::exp(log.value).clamp(lower, upper);
+        Estimate { value, std_error: log.std_error * value }
+    };
     Ok(cosines.iter().zip(c).map(|(mu, c)| if c.is_none() { mu.map(held) } else { None }).collect())
 }
 
-/// Linear interpolation between the nearest nodes (in any order) on either side.
-fn between(nodes: &[(f64, f64)], mu: f64) -> Option<f64> {
+/// Linear interpolation between the nearest nodes (in any order) on either side, whose errors are taken as
+/// independent.
+fn between(nodes: &[(f64, Estimate)], mu: f64) -> Option<Estimate> {
     let below = nodes.iter().filter(|n| n.0 <= mu).max_by(|a, b| a.0.total_cmp(&b.0));
     let above = nodes.iter().filter(|n| n.0 >= mu).min_by(|a, b| a.0.total_cmp(&b.0));
     match (below, above) {
-        (Some(a), Some(b)) if b.0 > a.0 => Some(a.1 + (b.1 - a.1) * (mu - a.0) / (b.0 - a.0)),
+        (Some(a), Some(b)) if b.0 > a.0 => {
+            let share = (mu - a.0) / (b.0 - a.0);
+            let (a, b) = (a.1, b.1);
+            Some(Estimate {
+                value: a.value + (b.value - a.value) * share,
+                std_error: libm::hypot((1.0 - share) * a.std_error, share * b.std_error),
+            })
+        }
         (a, b) => a.or(b).map(|node| node.1),
     }
 }
@@ -95,10 +111,11 @@ mod tests {
 
     #[test]
     fn gaps_are_filled_between_neighbours() {
-        let nodes = [(1.0, 0.0), (0.5, 1.0), (0.0, 5.0)];
-        assert_eq!(between(&nodes, 0.75), Some(0.5));
-        assert_eq!(between(&nodes[..2], 0.1), Some(1.0));
-        assert_eq!(between(&nodes, 0.5), Some(1.0));
+        let of = |value: f64, std_error: f64| Estimate { value, std_error };
+        let nodes = [(1.0, of(0.0, 0.6)), (0.5, of(1.0, 0.8)), (0.0, of(5.0, 0.0))];
+        assert_eq!(between(&nodes, 0.75), Some(of(0.5, 0.5)));
+        assert_eq!(between(&nodes[..2], 0.1), Some(of(1.0, 0.8)));
+        assert_eq!(between(&nodes, 0.5), Some(of(1.0, 0.8)));
         assert_eq!(between(&[], 0.5), None);
     }
 }

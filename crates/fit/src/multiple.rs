@@ -116,12 +116,11 @@ impl<'a> Scan<'a> {
         Self { totals, allowed }
     }
 
-    /// The slopes (1-β)/β scanned; 1e-6 stands for β = 1.
-    fn betas(&self) -> Vec<f64> {
+    /// β with slopes (1-β)/β in geometric progression.
+    fn betas(&self, slopes: [f64; 2]) -> Vec<f64> {
         let [lower, upper] = self.allowed[0];
-        let slope = |beta: f64| ((1.0 - beta) / beta).max(1e-6);
-        let slopes = geometric([slope(upper), slope(lower)], Self::BETAS);
-        slopes.iter().map(|s| (1.0 / (1.0 + s)).clamp(lower, upper)).collect()
+        let beta = |slope: &f64| (1.0 / (1.0 + slope)).clamp(lower, upper);
+        geometric(slopes, Self::BETAS).iter().map(beta).collect()
     }
 
     /// The b of least squares for this row, β and c, and the sum of squares.
@@ -163,22 +162,36 @@ impl<'a> Scan<'a> {
         best
     }
 
+    /// Scans β over its bounds, then twice more around the best: a wrong β drives the c of rows with b near 1
+    /// to the wrong side, from where the fit does not come back. 1e-6 stands for the slope of β = 1.
     fn best_start(&self) -> Vec<f64> {
-        let rows = self.totals.rows.len();
-        let rates: Vec<_> = (0..rows).map(|row| self.rates(row)).collect();
-        let mut best = (Vec::new(), f64::INFINITY);
-        for beta in self.betas() {
-            let (mut point, mut sum) = (vec![beta], 0.0);
-            for (row, rates) in rates.iter().enumerate() {
-                let (pair, square) = self.best_pair(row, beta, rates);
-                point.extend(pair);
-                sum += square;
+        let rates: Vec<_> = (0..self.totals.rows.len()).map(|row| self.rates(row)).collect();
+        let slope = |beta: f64| ((1.0 - beta) / beta).max(1e-6);
+        let [lower, upper] = self.allowed[0].map(slope);
+        let (mut slopes, mut best) = ([upper, lower], (Vec::new(), f64::INFINITY));
+        for _ in 0..3 {
+            for beta in self.betas(slopes) {
+                let (point, sum) = self.best_at(beta, &rates);
+                if sum < best.1 {
+                    best = (point, sum);
+                }
             }
-            if sum < best.1 {
-                best = (point, sum);
-            }
+            let step = libm::pow(slopes[1] / slopes[0], 1.0 / (Self::BETAS - 1) as f64);
+            let centre = best.0.first().map_or(upper, |beta| slope(*beta));
+            slopes = [(centre / step).max(upper), (centre * step).min(lower)];
         }
         best.0
+    }
+
+    /// β with the best (b, c) of every row, and the sum of squares.
+    fn best_at(&self, beta: f64, rates: &[Vec<(f64, Vec<f64>)>]) -> (Vec<f64>, f64) {
+        let (mut point, mut sum) = (vec![beta], 0.0);
+        for (row, rates) in rates.iter().enumerate() {
+            let (pair, square) = self.best_pair(row, beta, rates);
+            point.extend(pair);
+            sum += square;
+        }
+        (point, sum)
     }
 
     /// The fitted point with every row replaced for which the scan at the fitted β finds a lower sum.

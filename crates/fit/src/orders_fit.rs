@@ -27,7 +27,7 @@ pub(crate) fn fit_orders(
 ) -> Result<OrdersFit, FitError> {
     let orders = Orders { tau, data: &reference.orders };
     let solution = orders.fit(bounds)?;
-    let sensitivity = Sensitivity::new(&orders, &solution, &Orders::allowed(bounds), &[])?;
+    let sensitivity = Sensitivity::new(&orders, &solution, &Orders::allowed(bounds), &[], &[])?;
     let block = reference.orders_covariance()?;
     let covariance = sensitivity.map(|s| s.covariance(std::slice::from_ref(&block)));
     let fitted = |i: usize| {

@@ -30,15 +30,17 @@ pub(crate) struct Covariance {
 const RELATIVE_STEP: f64 = 1e-5;
 
 impl Sensitivity {
-    /// At a minimum inside the intervals `allowed`. Parameters on a bound are taken as fixed, without error,
+    /// At a minimum inside the intervals `allowed`. Parameters on a bound, or `fixed`, are taken as known, without error,
     /// but for those `supplied` with a variance. `None` where H is singular.
     pub fn new<L: LeastSquares>(
         problem: &L,
         solution: &Solution,
         allowed: &[[f64; 2]],
         supplied: &[(usize, f64)],
+        fixed: &[usize],
     ) -> Result<Option<Self>, FitError> {
-        let free: Vec<usize> = (0..allowed.len()).filter(|&i| !solution.on_bound[i]).collect();
+        let is_free = |i: &usize| !solution.on_bound[*i] && !fixed.contains(i);
+        let free: Vec<usize> = (0..allowed.len()).filter(is_free).collect();
         let moved: Vec<usize> = free.iter().copied().chain(supplied.iter().map(|s| s.0)).collect();
         let hessian = hessian(problem, solution, allowed, &moved)?;
         let jacobian = solution.jacobian.clone();
@@ -203,7 +205,7 @@ mod tests {
         let (plus, minus) = (answer(1.0), answer(-1.0));
         let change = |i: usize| (plus[i] - minus[i]) / 2e-5;
         let block = Matrix::square(5, |i, j| direction[i] * direction[j]);
-        let sensitivity = Sensitivity::new(&decay, &solution, &[[0.0, 10.0], Q], &[]).unwrap().unwrap();
+        let sensitivity = Sensitivity::new(&decay, &solution, &[[0.0, 10.0], Q], &[], &[]).unwrap().unwrap();
         let covariance = sensitivity.covariance(&[block]);
         for i in 0..2 {
             assert!((covariance.std_error(i).unwrap() / change(i).abs() - 1.0).abs() < 1e-6);
@@ -220,7 +222,7 @@ mod tests {
         let at = |q: f64| decay.fit([q, q]);
         let solution = at(0.1);
         let allowed = [[0.0, 10.0], [0.1, 0.1]];
-        let sensitivity = Sensitivity::new(&decay, &solution, &allowed, &[(1, 0.04)]).unwrap().unwrap();
+        let sensitivity = Sensitivity::new(&decay, &solution, &allowed, &[(1, 0.04)], &[]).unwrap().unwrap();
         let covariance = sensitivity.covariance(&[Matrix::zeros(5, 5)]);
         let change = (at(0.1 + 1e-5).parameters[0] - at(0.1 - 1e-5).parameters[0]) / 2e-5;
         assert!((covariance.std_error(0).unwrap() / (0.2 * change.abs()) - 1.0).abs() < 1e-4);

@@ -2,8 +2,9 @@
 //!
 //! One β is fitted to the rows up to the config's angle; the rows beyond it and the diffuse row are fitted
 //! with that β held, whose error enters theirs. Where c is [not identifiable](crate::identifiable) its table
-//! entry is empty: c is then held at the value interpolated between the neighbours (log c over μ_l) and
-//! everything fitted again, so that the emitted (b, c) is the best pair with a c continuous in θ_l.
+//! entry is empty: c is then held at the value interpolated between the neighbours (log c over μ_l), and b
+//! fitted again with this c and the shared β, so that the emitted (b, c) is the best pair with a c continuous
+//! in θ_l. The errors of β and of that c enter b's. β and the other rows stay as they are.
 
 use crate::config::{FitConfig, ParameterBounds};
 use crate::identifiable::{Curve, interpolated};
@@ -42,27 +43,30 @@ struct GroupFit {
     covariance: Option<Covariance>,
 }
 
-/// Fits every row; while some c are not identifiable, the worst of them is held and everything fitted again.
+/// Fits every row, then once more those whose c is not identifiable.
 pub(crate) fn fit_totals(
     config: &FitConfig,
     tau: &[f64],
     references: &[Reference],
 ) -> Result<TotalsFit, FitError> {
-    let rows = 0..references.len();
-    let mut without_c = vec![false; references.len()];
-    let mut held = vec![None; references.len()];
-    loop {
-        let fits = fit_groups(config, tau, references, &held)?;
-        let judged = rows.clone().filter(|&i| !without_c[i]).map(|i| (i, find(&fits, i).doubt(i, tau)));
-        let worst = judged.fold((0, 0.0), |worst, next| if next.1 > worst.1 { next } else { worst });
-        if worst.1 <= 1.0 {
-            let row = |i| find(&fits, i).row(i, tau, without_c[i]);
-            return Ok(TotalsFit { beta: beta(&fits[0]), rows: rows.map(row).collect() });
-        }
-        without_c[worst.0] = true;
-        let c = rows.clone().map(|i| (!without_c[i]).then(|| find(&fits, i).c(i, tau)));
-        held = interpolated(references, &c.collect::<Vec<_>>(), config.bounds.c)?;
+    let fits = fit_groups(config, tau, references)?;
+    let beta = beta(&fits[0]);
+    let identifiable = |i: usize| find(&fits, i).doubt(i, tau) <= 1.0;
+    let c: Vec<Option<Estimate>> =
+        (0..references.len()).map(|i| identifiable(i).then(|| find(&fits, i).c(i, tau))).collect();
+    let held = interpolated(references, &c, config.bounds.c)?;
+    let mut rows = Vec::with_capacity(references.len());
+    for (i, held) in held.into_iter().enumerate() {
+        let first = find(&fits, i);
+        rows.push(match held {
+            Some(c) => {
+                let group = Group { members: vec![i], beta_fixed: first.group.beta_fixed };
+                fit_group(&config.bounds, tau, references, group, Some(beta), Some(c))?.row(i, tau, true)
+            }
+            None => first.row(i, tau, c[i].is_none()),
+        });
     }
+    Ok(TotalsFit { beta, rows })
 }
 
 fn find(fits: &[GroupFit], reference: usize) -> &GroupFit {
@@ -86,39 +90,43 @@ fn groups(config: &FitConfig, references: &[Reference]) -> Vec<Group> {
         .collect()
 }
 
-fn fit_groups(
-    config: &FitConfig,
-    tau: &[f64],
-    references: &[Reference],
-    held_c: &[Option<f64>],
-) -> Result<Vec<GroupFit>, FitError> {
+fn fit_groups(config: &FitConfig, tau: &[f64], references: &[Reference]) -> Result<Vec<GroupFit>, FitError> {
     let mut fits: Vec<GroupFit> = Vec::new();
     for group in groups(config, references) {
-        let supplied = if group.beta_fixed { fits.first().map(beta) } else { None };
-        let c = group.members.iter().map(|&i| held_c[i]).collect();
-        let held = Held { beta: supplied.map(|beta| beta.value), c };
-        fits.push(fit_group(&config.bounds, tau, references, group, &held, supplied)?);
+        let supplied = fits.first().map(beta);
+        fits.push(fit_group(&config.bounds, tau, references, group, supplied, None)?);
     }
     Ok(fits)
 }
 
+/// Fits rows together; β, and c of a single row, may be supplied with their errors.
 fn fit_group(
     bounds: &ParameterBounds,
     tau: &[f64],
     references: &[Reference],
     group: Group,
-    held: &Held,
     beta: Option<Estimate>,
+    c: Option<Estimate>,
 ) -> Result<GroupFit, FitError> {
-    let members = || group.members.iter().map(|&i| &references[i]);
-    let totals = Totals { tau, rows: members().map(|r| r.t_ms.as_slice()).collect() };
-    let solution = totals.fit(bounds, held)?;
-    let supplied: Vec<(usize, f64)> = beta.iter().map(|b| (0, b.std_error * b.std_error)).collect();
-    let allowed = Totals::allowed(bounds, held);
-    let sensitivity = Sensitivity::new(&totals, &solution, &allowed, &supplied)?;
-    let blocks = members().map(Reference::t_ms_covariance).collect::<Result<Vec<_>, _>>()?;
-    let covariance = sensitivity.map(|s| s.covariance(&blocks));
-    Ok(GroupFit { group, solution, covariance })
+    let members: Vec<&Reference> = group.members.iter().map(|&i| &references[i]).collect();
+    let totals = Totals { tau, rows: members.iter().map(|r| r.t_ms.as_slice()).collect() };
+    let held = Held { beta: beta.map(|b| b.value), c: vec![c.map(|c| c.value); members.len()] };
+    let solution = totals.fit(bounds, &held)?;
+    let place_of_c = place_of_b(0) + 1;
+    let supplied: Vec<(usize, f64)> = [(0, beta), (place_of_c, c)]
+        .into_iter()
+        .filter_map(|(place, estimate)| estimate.map(|e| (place, e.std_error * e.std_error)))
+        .collect();
+    let allowed = Totals::allowed(bounds, &held);
+    let blocks = members.iter().map(|r| r.t_ms_covariance()).collect::<Result<Vec<_>, _>>()?;
+    let mut fit = GroupFit { group, solution, covariance: None };
+    let mut sensitivity = Sensitivity::new(&totals, &fit.solution, &allowed, &supplied, &[])?;
+    if sensitivity.is_none() {
+        let without = fit.doubtful(tau);
+        sensitivity = Sensitivity::new(&totals, &fit.solution, &allowed, &supplied, &without)?;
+    }
+    fit.covariance = sensitivity.map(|s| s.covariance(&blocks));
+    Ok(fit)
 }
 
 impl GroupFit {
@@ -132,8 +140,16 @@ impl GroupFit {
         self.covariance.as_ref().and_then(|c| c.std_error(place))
     }
 
-    fn c(&self, reference: usize, tau: &[f64]) -> f64 {
-        self.solution.parameters[self.of(reference, tau).0 + 1]
+    fn c(&self, reference: usize, tau: &[f64]) -> Estimate {
+        let place = self.of(reference, tau).0 + 1;
+        let std_error = self.std_error(place).unwrap_or(0.0);
+        Estimate { value: self.solution.parameters[place], std_error }
+    }
+
+    /// Places of the c that are not identifiable.
+    fn doubtful(&self, tau: &[f64]) -> Vec<usize> {
+        let members = self.group.members.iter();
+        members.filter(|&&i| self.doubt(i, tau) > 1.0).map(|&i| self.of(i, tau).0 + 1).collect()
     }
 
     /// Doubt about c of a reference.

@@ -54,7 +54,7 @@ fn c_without_influence_is_left_empty() {
         .map(|(incidence, b)| reference(incidence, &truth(b, 0.3, 0.6, 0.8, 0.06), 0.0, 1e-4))
         .collect();
     for (k, value) in references[2].t_ms.iter_mut().enumerate().skip(2) {
-        *value += if k % 2 == 0 { 0.001 } else { -0.001 };
+        *value += if k % 2 == 0 { 3e-4 } else { -3e-4 };
     }
     references[3].t_ms_covariance.iter_mut().for_each(|c| *c *= 1e5);
     let document = run(&config(&angles), &references).unwrap();
@@ -64,8 +64,8 @@ fn c_without_influence_is_left_empty() {
         assert_eq!(row.c.value.is_none(), empty, "{row:?}");
         assert_eq!(row.flags.contains(&Flag::CNotIdentifiable), empty);
         assert_eq!((line.c_per_m.is_none(), line.flags.contains("c-not-identifiable")), (empty, empty));
-        assert!((row.c.emitted / 0.3 - 1.0).abs() < 0.05, "{row:?}");
-        assert!(row.misfit[0].rms < 1.001e-3);
+        assert!((row.c.emitted / 0.3 - 1.0).abs() < 0.1, "{row:?}");
+        assert!(row.misfit[0].rms < 1e-3, "{row:?}");
         assert!(row.c.std_error.is_some() != empty && row.b.std_error.is_some());
     }
     assert!(to_csv(&table).unwrap().lines().nth(3).unwrap().starts_with("44,"));
