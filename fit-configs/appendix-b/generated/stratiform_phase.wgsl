@@ -2,7 +2,7 @@
 // Phase functions of the cloud, looked up in a storage buffer.
 //
 // Program    stratiform 0.1.0
-// Inputs     97d2cdfce83eab6e11b742375ffa1c03
+// Inputs     11cabdeec7d5daaad6ff04e76ab5bfb2
 // Config     6b23cf58bee76b4c8c3859e3df183896
 // Seed       2006
 // Method     half-space Monte Carlo; least squares on a fixed grid; std_error propagated from the photons' covariance
