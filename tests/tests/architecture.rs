@@ -1,5 +1,7 @@
 //! The shape of the project: which crate may see which, and how large files may grow.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};

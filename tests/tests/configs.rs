@@ -1,5 +1,7 @@
 //! Every committed config is sound, and the committed emitted text is fresh.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+
 use std::fs;
 use std::path::PathBuf;
 use stratiform_cli::config::Config;

@@ -1,5 +1,7 @@
 //! The chain on a small run: every file is there, nothing runs twice, and the bytes depend on the seed alone.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,7 @@
 //! The committed table against fresh photons.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+
 use stratiform_fit::{compare, fit, regression};
 use stratiform_tests::{accepted_cloud, fresh_reference, paper_config};
 

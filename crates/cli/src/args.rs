@@ -78,7 +78,7 @@ pub struct MieArgs {
                   --r-eff 7 --gamma 2 --n0 300 --wavelength 0.65,0.55,0.45 --out out/optics"
 )]
 pub struct OpticsArgs {
-    /// Take droplets, wavelengths and index from this file's [optics] section.
+    /// Take droplets, wavelengths and index from this file's optics section.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["r_eff", "gamma", "n0", "wavelength"])]
     pub config: Option<PathBuf>,
     /// Effective radius in µm of a modified gamma distribution.
@@ -197,7 +197,7 @@ pub struct StageArgs {
 #[derive(Debug, Args)]
 #[command(after_help = "Example: stratiform codegen fit-configs/appendix-b.toml --check")]
 pub struct CodegenArgs {
-    /// The fit-config, whose [codegen] section names the accepted artifacts and the output folder.
+    /// The fit-config, whose codegen section names the accepted artifacts and the output folder.
     pub config: PathBuf,
     /// Write nothing; exit code 1 with a diff if the emitted text is stale or edited.
     #[arg(long)]

@@ -1,6 +1,8 @@
 //! Bad input: exit code 2, one message that names the value, the range and the place, nothing on stdout, nothing
 //! written.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+
 mod common;
 
 use common::{command, config, run};

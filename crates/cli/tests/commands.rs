@@ -1,5 +1,7 @@
 //! The commands as other people's scripts call them.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+
 mod common;
 
 use common::{config, run, stdout};

@@ -87,7 +87,8 @@ impl Regression {
     pub fn failures(&self) -> Vec<&Held> {
         let excess =
             |held: &Held| (held.table - held.fresh).abs() - held.bound - self.threshold * held.std_error;
-        let mut failures: Vec<_> = self.held.iter().filter(|held| !(excess(held) <= 0.0)).collect();
+        let mut failures: Vec<_> =
+            self.held.iter().filter(|held| excess(held).is_nan() || excess(held) > 0.0).collect();
         failures.sort_by(|a, b| excess(b).total_cmp(&excess(a)));
         failures
     }

@@ -1,6 +1,7 @@
 //! Running the real binary.
 
 #![allow(dead_code, reason = "each test program uses its part")]
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
