@@ -74,6 +74,8 @@ pub struct ConvergenceConfig {
     pub theta_l_deg: f64,
     /// Thicknesses of the curve, metres: the nearest of the fit's grid are taken.
     pub thickness_m: Vec<f64>,
+    /// Radii up to which the size average is refined for its own curve.
+    pub most_radii: u64,
     /// Photons of each point, plain tracer.
     pub plain_photons: Vec<u64>,
     /// Photons of each point, half-space tracer.
@@ -143,6 +145,7 @@ impl Config {
             .thickness_m
             .iter()
             .try_for_each(|h| Range::above(0.0).check("convergence.thickness_m", *h).map(|_| ()))?;
+        Range::closed(64.0, 1e6).check("most_radii", self.convergence.most_radii as f64)?;
         Range::closed(0.0, 90.0).check("theta_l_deg", self.convergence.theta_l_deg)?;
         Range::open(0.0, 1.0).check("false_alarm_rate", self.regression.false_alarm_rate)?;
         self.regression.bounds.check()?;

@@ -7,6 +7,7 @@ mod curves;
 mod notes;
 pub mod optics;
 mod published;
+mod quadrature;
 pub mod reference;
 mod run;
 mod stage;

@@ -3,7 +3,7 @@
 use super::optics::Cloud;
 use super::reference::{Media, Plan, TracedIncidence, fit_reference, orders_rows, points};
 use super::stage::Workspace;
-use super::{accepted, convergence, curves, input_error, notes, optics, published};
+use super::{accepted, convergence, curves, input_error, notes, optics, published, quadrature};
 use crate::CliError;
 use crate::config::Config;
 use crate::output::Talk;
@@ -50,9 +50,14 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
         work.stage("convergence", &(&before, &config.convergence), |dir| {
             convergence::write(config, &cloud, dir, talk)
         })?;
+        work.stage(
+            "quadrature",
+            &(&config.optics, &config.transport, config.convergence.most_radii),
+            |dir| quadrature::write(config, dir),
+        )?;
         work.stage("notes", &before, |dir| notes(config, &document, &cloud, &parameters, &provenance, dir))?;
-        let inputs =
-            ["optics", "reference", "fit", "convergence", "notes"].map(|stage| work.hash_of_stage(stage));
+        let inputs = ["optics", "reference", "fit", "convergence", "quadrature", "notes"]
+            .map(|stage| work.hash_of_stage(stage));
         work.stage("report", &inputs, report)?;
     }
     Ok(parameters)
