@@ -17,6 +17,10 @@ use stratiform_stats::Estimate;
 /// T_3+ and R_3+ below minus this are flagged.
 const NEGLIGIBLE_FLUX: f64 = 1e-3;
 
+/// Single-scattering albedos that the model can stand for: it has R_ms = 1 - T_ms. At the lower end diffuse light
+/// loses 2e-5 of its flux per unit of optical thickness.
+pub const ALBEDO: Range = Range::closed(0.99999, 1.0);
+
 /// Fits every row of the table: one per angle of the config, in its order, then, if there is one, the diffuse
 /// row.
 ///
@@ -55,7 +59,7 @@ pub fn fit(
 fn check_medium(medium: &MediumRecord) -> Result<(), FitError> {
     Range { min_included: false, ..Range::closed(0.0, 1e6) }
         .check("extinction_per_m", medium.extinction_per_m)?;
-    Range::closed(0.0, 1.0).check("single_scattering_albedo", medium.single_scattering_albedo)?;
+    ALBEDO.check("single_scattering_albedo", medium.single_scattering_albedo)?;
     Range { max_included: false, ..Range::closed(0.0, 1.0) }
         .check("forward_fraction", medium.forward_fraction)?;
     Ok(())

@@ -3,7 +3,7 @@
 use crate::args::{Estimator, TraceArgs};
 use crate::medium::Medium;
 use crate::output::{Data, Talk};
-use crate::{CliError, pipeline, progress};
+use crate::{CliError, interrupt, pipeline, progress};
 use serde::Serialize;
 use stratiform_artifact::{OrderResult, OrdersDocument, Provenance, hash_of, to_csv, to_json};
 use stratiform_quantities::{Incidence, Medium as Kind, Order};
@@ -39,7 +39,8 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
     for request in &requests {
         let bar = progress::bar(args.photons, &format!("mu0 {}", request.incidence), talk.quiet);
         let advanced = |done: u64, _total: u64| bar.set_position(done);
-        let control = pipeline::control(&advanced);
+        let watch = interrupt::watch();
+        let control = pipeline::control(&advanced, &watch);
         let traced = match args.estimator {
             Estimator::HalfSpace => stratiform_transport::trace_half_space(medium.traced(), request, control),
             Estimator::Plain => stratiform_transport::trace_plain(medium.traced(), request, control),

@@ -31,40 +31,51 @@ pub enum Target {
 /// # Errors
 /// [`CliError`]; stages that were finished stay finished.
 pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<ParametersDocument, CliError> {
+    config.check()?;
+    if target == Target::Report {
+        config.check_span()?;
+    }
     let provenance = provenance(config);
     let mut work = Workspace::open(out, &config.title, provenance.clone(), talk)?;
     work.stage("optics", &(&config.optics, config.transport.wavelength_um), |dir| {
-        optics::write(config, dir)
+        let spinner = progress::spinner("optics", talk.quiet);
+        let files = optics::write(config, dir);
+        spinner.finish_and_clear();
+        files
     })?;
     let (document, cloud) = optics::read(config, out)?;
+    stratiform_fit::ALBEDO.check("single_scattering_albedo", cloud.omega.get())?;
     let plans = [Plan::nodes(config, &cloud), Plan::between(config, &cloud)];
     let inputs = (work.hash_of_stage("optics"), &plans, &config.transport);
     work.stage("reference", &inputs, |dir| trace(config, &cloud, &plans, dir, talk))?;
-    work.stage("fit", &(work.hash_of_stage("reference"), &config.fit, &config.transport), |dir| {
+    work.stage("fit", &(work.hash_of_stage("reference"), &provenance, &config.fit), |dir| {
         fit(config, &cloud, provenance.clone(), dir)
     })?;
     let parameters: ParametersDocument = read_json(&out.join("parameters.json"))?;
     if target == Target::Report {
-        let before = [work.hash_of_stage("reference"), work.hash_of_stage("fit")];
+        let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
         work.stage("codegen", &before, |dir| codegen(&parameters, &cloud, dir))?;
         work.stage("convergence", &(&before, &config.convergence), |dir| {
             convergence::write(config, &cloud, dir, talk)
         })?;
         work.stage(
             "quadrature",
-            &(&config.optics, &config.transport, config.convergence.most_radii),
+            &(&config.optics, config.transport.wavelength_um, config.convergence.most_radii),
             |dir| quadrature::write(config, dir),
         )?;
-        work.stage("notes", &before, |dir| notes(config, &document, &cloud, &parameters, &provenance, dir))?;
+        work.stage("notes", &(&before, &provenance), |dir| {
+            notes(config, &document, &cloud, &parameters, &provenance, dir)
+        })?;
         let inputs = ["optics", "reference", "fit", "convergence", "quadrature", "notes"]
             .map(|stage| work.hash_of_stage(stage));
         work.stage("report", &inputs, report)?;
     }
+    work.save()?;
     Ok(parameters)
 }
 
 /// Provenance of everything that the chain writes.
-fn provenance(config: &Config) -> Provenance {
+pub fn provenance(config: &Config) -> Provenance {
     let hash = hash_of(&(&config.optics, &config.transport, &config.fit));
     let method = "half-space Monte Carlo; least squares on a fixed grid; std_error propagated from the photons' covariance";
     Provenance::new(hash, Some(config.transport.seed), method)
