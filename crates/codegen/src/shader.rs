@@ -87,12 +87,7 @@ fn push_card(text: &mut String, title: &str, cards: &[ErrorCard]) {
 
 fn push_flags(text: &mut String, inputs: &Inputs) {
     for row in inputs.parameters.optical.rows.iter().filter(|row| !row.flags.is_empty()) {
-        let _ = writeln!(
-            text,
-            "//\n// Row theta_l = {}: {}.",
-            row.theta_l_deg,
-            crate::tables::flag_names(&row.flags)
-        );
+        let _ = writeln!(text, "//\n// Row theta_l = {}: {}.", row.theta_l_deg, row.flag_names());
     }
 }
 

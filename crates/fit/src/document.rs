@@ -7,8 +7,7 @@ use crate::orders_fit::{OrdersFit, fit_orders};
 use crate::totals_fit::{TotalsRow, fit_totals};
 use crate::{FitConfig, FitError, ORDERS, Reference};
 use stratiform_artifact::{
-    FittedParameter, Flag, MediumRecord, Misfit, ParameterRow, ParameterTable, ParametersCsvRow,
-    ParametersDocument, Provenance,
+    FittedParameter, Flag, MediumRecord, Misfit, ParameterRow, ParameterTable, ParametersDocument, Provenance,
 };
 use stratiform_model::{Form, Parameters, Thickness, Values, problems};
 use stratiform_quantities::Range;
@@ -159,26 +158,4 @@ fn in_metres(optical: &ParameterTable, kappa: f64) -> ParameterTable {
         kappa_s: optical.kappa_s * kappa,
         rows: optical.rows.iter().map(convert).collect(),
     }
-}
-
-/// The table in metres as rows of `parameters.csv`.
-pub fn csv_rows(document: &ParametersDocument) -> Vec<ParametersCsvRow> {
-    let word = |flag: &Flag| {
-        serde_json::to_value(flag).ok().and_then(|v| v.as_str().map(str::to_owned)).unwrap_or_default()
-    };
-    let convert = |row: &ParameterRow| ParametersCsvRow {
-        theta_l_deg: row.theta_l_deg.to_string(),
-        b: row.b.value,
-        b_std_error: row.b.std_error,
-        c_per_m: row.c.value,
-        c_per_m_std_error: row.c.std_error,
-        kappa_c_per_m: row.kappa_c.value,
-        kappa_c_per_m_std_error: row.kappa_c.std_error,
-        t: row.t.value,
-        t_std_error: row.t.std_error,
-        r: row.r.value,
-        r_std_error: row.r.std_error,
-        flags: row.flags.iter().map(word).collect::<Vec<_>>().join(" "),
-    };
-    document.metres.rows.iter().map(convert).collect()
 }

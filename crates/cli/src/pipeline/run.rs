@@ -123,7 +123,7 @@ fn fit(config: &Config, cloud: &Cloud, provenance: Provenance, dir: &Path) -> Re
     };
     let document = stratiform_fit::fit(&config.fit, &references, medium, provenance).map_err(input_error)?;
     write_json(&dir.join("parameters.json"), &document)?;
-    write_csv(&dir.join("parameters.csv"), &stratiform_fit::csv_rows(&document))?;
+    write_csv(&dir.join("parameters.csv"), &document.csv_rows())?;
     Ok(vec!["parameters.json".to_owned(), "parameters.csv".to_owned()])
 }
 
