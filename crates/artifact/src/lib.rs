@@ -34,4 +34,4 @@ pub use parameters::{
 };
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
-pub use table::{read_csv, to_csv, write_csv};
+pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};
