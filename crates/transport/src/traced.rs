@@ -87,10 +87,14 @@ impl Traced {
         self.total.absorbed[self.rank[tau_index]]
     }
 
-    /// Reflectance and transmittance of `order`.
+    /// Reflectance and transmittance of `order`. No light is reflected without a scattering: that 0 has no error.
     pub fn estimate(&self, tau_index: usize, order: Order) -> (Estimate, Estimate) {
         let of = |quantity| Estimate::from_hits(self.hits(tau_index, quantity), self.photons());
-        (of(Quantity::Reflectance(order)), of(Quantity::Transmittance(order)))
+        let reflectance = match order {
+            Order::Exactly(0) => Estimate { value: 0.0, std_error: 0.0 },
+            _ => of(Quantity::Reflectance(order)),
+        };
+        (reflectance, of(Quantity::Transmittance(order)))
     }
 
     /// Share of the incident flux absorbed in the slab.

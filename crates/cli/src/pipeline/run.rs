@@ -44,7 +44,9 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
         files
     })?;
     let (document, cloud) = optics::read(config, out)?;
-    stratiform_fit::ALBEDO.check("single_scattering_albedo", cloud.omega.get())?;
+    stratiform_fit::ALBEDO
+        .check("single_scattering_albedo", cloud.omega.get())
+        .map_err(|error| CliError::from(error).at("the model that is fitted has no absorption"))?;
     let plans = [Plan::nodes(config, &cloud), Plan::between(config, &cloud)];
     let inputs = (work.hash_of_stage("optics"), &plans, &config.transport);
     work.stage("reference", &inputs, |dir| trace(config, &cloud, &plans, dir, talk))?;
