@@ -17,6 +17,7 @@ mod medium;
 mod plain;
 mod request;
 mod run;
+pub mod solve;
 mod tally;
 mod traced;
 

@@ -1,0 +1,140 @@
+//! Streams chosen for a tolerance: the ladder of stream counts is climbed until its rungs agree.
+//!
+//! The half-range rule converges algebraically (radiances have a μ ln μ at grazing), so the difference of two rungs
+//! bounds the error of the upper one. The error reported is that difference, or a quarter of the one before if that is larger
+//! (rungs may agree by chance), and what the neglected moments could add. A tolerance the last rung does not meet is an error that says what was reached.
+
+use super::kernel::Kernel;
+use super::medium::SolveMedium;
+use super::modes::Modes;
+use super::slab::{Direction, Pair, Slab};
+use super::solved::Solved;
+use crate::TransportError;
+use std::borrow::Cow;
+use stratiform_quantities::{Incidence, OpticalThickness, Range};
+
+/// Streams per hemisphere.
+const LADDER: [usize; 9] = [8, 12, 16, 24, 32, 48, 64, 96, 128];
+
+/// Rungs served by the first, smaller kernel.
+const FIRST_SIZE: usize = 32;
+
+/// Tolerances that double precision can meet.
+const TOLERANCE: Range = Range { max_included: false, ..Range::closed(1e-12, 1.0) };
+
+/// A medium with its scattering kernel, ready for any thicknesses and incidences.
+#[derive(Clone)]
+pub struct Solver {
+    medium: SolveMedium,
+    moments: Vec<f64>,
+    /// What neglected moments could add.
+    neglected: f64,
+    tolerance: f64,
+    kernel: Kernel,
+}
+
+impl Solver {
+    /// Prepares moments and kernel for fluxes within `tolerance`, absolute.
+    ///
+    /// # Errors
+    /// [`TransportError::Domain`] unless 1e-12 ≤ `tolerance` < 1.
+    pub fn new(medium: SolveMedium, tolerance: f64) -> Result<Self, TransportError> {
+        TOLERANCE.check("tolerance", tolerance)?;
+        let (moments, neglected) = medium.moments(tolerance);
+        let kernel = Kernel::new(moments.clone(), FIRST_SIZE);
+        Ok(Self { medium, moments, neglected, tolerance, kernel })
+    }
+
+    /// The medium.
+    pub fn medium(&self) -> &SolveMedium {
+        &self.medium
+    }
+
+    /// Total reflectance and transmittance for every thickness and incidence.
+    ///
+    /// # Errors
+    /// [`TransportError::Domain`] for τ, [`TransportError::NoThickness`], [`TransportError::NoIncidence`];
+    /// [`TransportError::Tolerance`] if 128 streams do not suffice.
+    pub fn totals(&self, tau: &[f64], incidence: &[Incidence]) -> Result<Solved, TransportError> {
+        check(tau, incidence)?;
+        let rows = |kernel: &Kernel, count: usize| self.rung(kernel, count, tau, incidence);
+        let (rows, streams) = self.climb(rows)?;
+        Ok(Solved::totals(self, tau, incidence, rows, streams))
+    }
+
+    pub(crate) fn moment_count(&self) -> usize {
+        self.moments.len()
+    }
+
+    /// Values with their errors, from the first rung that agrees with the one below.
+    pub(crate) fn climb(
+        &self,
+        rung: impl Fn(&Kernel, usize) -> Vec<f64>,
+    ) -> Result<(Vec<(f64, f64)>, usize), TransportError> {
+        let mut kernel = Cow::Borrowed(&self.kernel);
+        let mut rungs: Vec<Vec<f64>> = Vec::new();
+        let mut reached = f64::INFINITY;
+        for count in LADDER {
+            if count > kernel.size() {
+                kernel = Cow::Owned(Kernel::new(self.moments.clone(), LADDER[LADDER.len() - 1]));
+            }
+            rungs.push(rung(&kernel, count));
+            let [.., first, second, third] = rungs.as_slice() else { continue };
+            let errors: Vec<f64> =
+                (0..third.len()).map(|i| self.error(first[i], second[i], third[i])).collect();
+            let worst = errors.iter().fold(0.0_f64, |worst, error| worst.max(*error));
+            if worst <= self.tolerance {
+                return Ok((third.iter().copied().zip(errors).collect(), count));
+            }
+            reached = reached.min(worst);
+        }
+        let streams = LADDER[LADDER.len() - 1];
+        Err(TransportError::Tolerance { wanted: self.tolerance, reached, streams })
+    }
+
+    /// Estimated error of the last of three rungs. The step before counts too, lest two rungs agree by chance.
+    fn error(&self, first: f64, second: f64, third: f64) -> f64 {
+        (third - second).abs().max(0.25 * (second - first).abs()) + self.neglected + f64::EPSILON
+    }
+
+    /// R and T with `count` streams: incidences outside, thicknesses inside.
+    fn rung(&self, kernel: &Kernel, count: usize, tau: &[f64], incidence: &[Incidence]) -> Vec<f64> {
+        let modes = Modes::new(kernel, count, self.medium.albedo);
+        let directions: Vec<Option<Direction>> = incidence
+            .iter()
+            .map(|incidence| match incidence {
+                Incidence::Diffuse => None,
+                Incidence::Beam(mu0) => {
+                    let mu0 = mu0.get();
+                    let (sum, difference) = modes.into_direction(kernel, mu0);
+                    Some(Direction { mu0, sum, difference })
+                }
+            })
+            .collect();
+        let slabs: Vec<Slab> =
+            tau.iter().map(|tau| Slab::new(&modes, tau * self.medium.extinction)).collect();
+        let mut values = Vec::with_capacity(2 * tau.len() * incidence.len());
+        for direction in &directions {
+            for slab in &slabs {
+                let Pair { reflectance, transmittance } = direction
+                    .as_ref()
+                    .map_or_else(|| slab.lit_diffusely(), |direction| slab.lit_from(direction));
+                values.extend([reflectance, transmittance]);
+            }
+        }
+        values
+    }
+}
+
+pub(crate) fn check(tau: &[f64], incidence: &[Incidence]) -> Result<(), TransportError> {
+    if tau.is_empty() {
+        return Err(TransportError::NoThickness);
+    }
+    if incidence.is_empty() {
+        return Err(TransportError::NoIncidence);
+    }
+    for &tau in tau {
+        OpticalThickness::new(tau)?;
+    }
+    Ok(())
+}

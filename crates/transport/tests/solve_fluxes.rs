@@ -1,0 +1,230 @@
+//! The deterministic solver's totals against published fluxes, laws and closed forms.
+
+mod common;
+
+use common::published::{Published, coefficients, published};
+use common::{beam, full, half_space, hg, isotropic, modified, request};
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+use stratiform_optics::phase::PhaseFunction;
+use stratiform_quantities::{Incidence, SingleScatteringAlbedo};
+use stratiform_transport::solve::{SolveMedium, Solver};
+use stratiform_transport::{TraceMedium, TransportError};
+
+fn albedo(omega: f64) -> SingleScatteringAlbedo {
+    SingleScatteringAlbedo::new(omega).unwrap()
+}
+
+fn solver(phase: Arc<dyn PhaseFunction>, omega: f64, tolerance: f64) -> Solver {
+    Solver::new(SolveMedium::full(phase, albedo(omega)), tolerance).unwrap()
+}
+
+fn totals(solver: &Solver, tau: f64, incidence: Incidence) -> (f64, f64) {
+    let solved = solver.totals(&[tau], &[incidence]).unwrap();
+    let (reflectance, transmittance) = solved.total(0, 0);
+    (reflectance.value, transmittance.value)
+}
+
+/// Half a unit of the last of `digits` decimals of a quantity listed in units of `unit`, and a little for our own error.
+fn rounding(digits: i32, unit: f64) -> f64 {
+    0.51 * libm::pow(10.0, f64::from(-digits)) / unit + 2e-8
+}
+
+/// `scale` undoes a division by a rounded incident flux.
+fn assert_meets(case: &Published, solver: &Solver, scale: f64, tolerances: [f64; 2]) {
+    let (r, t) = totals(solver, case.tau, case.incidence);
+    let (dr, dt) = (r - case.reflectance * scale, t - case.transmittance * scale);
+    assert!(dr.abs() <= tolerances[0] && dt.abs() <= tolerances[1], "{}: {dr:e} {dt:e}", case.name);
+}
+
+#[test]
+fn van_de_hulst_to_five_decimals() {
+    for case in published().iter().filter(|case| case.name.starts_with("van de Hulst")) {
+        let solver = solver(case.phase.clone(), case.omega, 1e-8);
+        assert_meets(case, &solver, 1.0, [rounding(5, 1.0); 2]);
+    }
+}
+
+/// Van de Hulst's table behind problem 3 has 5 digits; the fluxes are those digits times π.
+#[test]
+fn disort_problem_3_to_five_digits() {
+    for case in published().iter().filter(|case| case.name.starts_with("DISORT 3")) {
+        let solver = solver(case.phase.clone(), case.omega, 1e-8);
+        assert_meets(case, &solver, 1.0, [rounding(5, 1.0); 2]);
+    }
+}
+
+/// Haze L and cloud C1, from their coefficients: 6 digits of reflected and diffusely transmitted flux.
+#[test]
+fn disort_problems_4_and_5a_to_six_digits() {
+    for (name, file) in
+        [("4a", "haze-l.csv"), ("4b", "haze-l.csv"), ("4c", "haze-l.csv"), ("5a", "cloud-c1.csv")]
+    {
+        let case = published().into_iter().find(|case| case.name == format!("DISORT {name}")).unwrap();
+        let medium = SolveMedium::from_moments(coefficients(file), albedo(case.omega)).unwrap();
+        let (incident, listed) = if name == "4c" { (0.5 * PI, 1.5708) } else { (PI, 3.14159) };
+        // Listed are a reflected flux below 1 and a transmitted one of 1 to 10 (direct and diffuse, each rounded).
+        let digits = if name == "5a" { [5, 6] } else { [6, if name == "4c" { 6 } else { 5 }] };
+        let allowed = digits.map(|digits| 2.0 * rounding(digits, incident));
+        assert_meets(&case, &Solver::new(medium, 1e-8).unwrap(), listed / incident, allowed);
+    }
+}
+
+/// The comparison rejects an asymmetry parameter off by 1e-4.
+#[test]
+fn a_planted_asymmetry_is_rejected() {
+    let case = published().into_iter().find(|case| case.name == "DISORT 3b").unwrap();
+    let (r, _) = totals(&solver(hg(0.7501), 1.0, 1e-8), case.tau, case.incidence);
+    assert!((r - case.reflectance).abs() > rounding(5, 1.0));
+}
+
+#[test]
+fn lossless_slabs_lose_nothing() {
+    let tau = [0.0, 1e-6, 1e-3, 0.1, 1.0, 30.0, 1e3, 1e4];
+    let incidence = [beam(0.0), beam(1e-9), beam(0.01), beam(0.5), beam(1.0), Incidence::Diffuse];
+    for phase in [isotropic(), hg(0.85), hg(-0.5)] {
+        let solved = solver(phase, 1.0, 1e-3).totals(&tau, &incidence).unwrap();
+        for i in 0..incidence.len() {
+            for (t, tau) in tau.iter().enumerate() {
+                let (r, t) = solved.total(i, t);
+                let loss = r.value + t.value - 1.0;
+                assert!(loss.abs() < 1e-10, "{} {tau}: {loss:e}", incidence[i]);
+                assert!(r.value > -1e-15 && t.value > -1e-15, "{} {tau}: {r:?} {t:?}", incidence[i]);
+            }
+        }
+    }
+}
+
+/// μ0 → 0 meets its limit, and R → ½ as τ → 0 there: the first event happens at the surface.
+#[test]
+fn grazing_incidence_is_a_limit() {
+    let solver = solver(isotropic(), 1.0, 1e-5);
+    let at = |mu0: f64, tau: f64| totals(&solver, tau, beam(mu0)).0;
+    assert!((at(0.0, 5.0) - at(1e-9, 5.0)).abs() < 1e-7);
+    assert!((at(0.0, 1e-6) - 0.5).abs() < 1e-4);
+    assert_eq!(totals(&solver, 0.0, beam(0.0)), (0.0, 1.0));
+}
+
+/// A stream of the rule itself (μ = ½ is one of every odd rule; 0.9801449282487681 of the rule of eight) is nothing special.
+#[test]
+fn incidence_on_a_stream_is_ordinary() {
+    let solver = solver(hg(0.75), 0.9, 1e-3);
+    for mu0 in [0.980_144_928_248_768_1, 0.5] {
+        let (r, t) = totals(&solver, 3.0, beam(mu0));
+        let near = totals(&solver, 3.0, beam(mu0 + 1e-9));
+        assert!((r - near.0).abs() < 1e-8 && (t - near.1).abs() < 1e-8);
+    }
+}
+
+/// H(μ) of isotropic scattering: ln H = -(μ/π)∫ ln(1 - ωθ cotθ)/(cos²θ + μ²sin²θ) dθ over a quarter circle (Stibbs & Weir 1959).
+fn h_function(omega: f64, mu: f64) -> f64 {
+    const PANELS: usize = 20_000;
+    let f = |theta: f64| {
+        let (s, c) = (libm::sin(theta), libm::cos(theta));
+        let cotangent = if theta == 0.0 { 1.0 } else { theta * c / s };
+        libm::log1p(-omega * cotangent) / (c * c + mu * mu * s * s)
+    };
+    let h = FRAC_PI_2 / PANELS as f64;
+    let simpson = (0..=PANELS).fold(0.0, |sum, i| {
+        let weight = if i == 0 || i == PANELS { 1.0 } else { [2.0, 4.0][i % 2] };
+        sum + weight * f(h * i as f64)
+    });
+    libm::exp(-mu / PI * simpson * h / 3.0)
+}
+
+/// Plane albedo of the half-space: 1 - √(1-ω) H(μ0) (Chandrasekhar 1950, ch. 5).
+#[test]
+fn the_half_space_has_chandrasekhars_albedo() {
+    for omega in [0.2, 0.9, 0.99] {
+        let solver = solver(isotropic(), omega, 1e-7);
+        for mu0 in [0.05, 0.3, 1.0] {
+            let (r, t) = totals(&solver, 1e4, beam(mu0));
+            let expected = 1.0 - (1.0 - omega).sqrt() * h_function(omega, mu0);
+            assert!((r - expected).abs() < 1e-7, "{omega} {mu0}: {:e}", r - expected);
+            assert!(t.abs() < 1e-12);
+        }
+    }
+}
+
+/// Collisions of diffuse light, (1-R-T)/(1-ω), tend to 2τ as ω → 1, whatever the phase function: extrapolated in 1-ω.
+#[test]
+fn diffuse_light_scatters_twice_the_optical_thickness() {
+    for (g, tau) in [(0.0, 0.1), (0.0, 10.0), (0.85, 1.0), (0.85, 30.0)] {
+        let collisions = |loss: f64| {
+            let omega = 1.0 - loss;
+            let (r, t) = totals(&solver(hg(g), omega, 1e-3), tau, Incidence::Diffuse);
+            (1.0 - r - t) / (1.0 - omega)
+        };
+        let mut row: Vec<f64> = (0..5).map(|i| collisions(0.01 / (1.0 + tau) / f64::from(1 << i))).collect();
+        for level in 1..5 {
+            let two = f64::from(1 << level);
+            row = row.windows(2).map(|pair| (two * pair[1] - pair[0]) / (two - 1.0)).collect();
+        }
+        assert!((row[0] / (2.0 * tau) - 1.0).abs() < 1e-8, "{g} {tau}: {:e}", row[0] / (2.0 * tau) - 1.0);
+    }
+}
+
+/// The photon tracer, full and modified media, ω below 1. False alarms: one seed in 1000.
+#[test]
+fn the_tracer_agrees() {
+    let mut family = common::Family::default();
+    let media: [(&str, TraceMedium); 3] = [
+        ("isotropic", full(isotropic(), 0.9)),
+        ("hg 0.85", full(hg(0.85), 1.0)),
+        ("modified", modified(hg(0.5), 0.95, 0.3)),
+    ];
+    let tau = [0.5, 3.0, 20.0];
+    let incidence = [beam(0.0), beam(0.3), beam(1.0), Incidence::Diffuse];
+    for (name, medium) in &media {
+        let solved = Solver::new(SolveMedium::from(medium), 1e-6).unwrap().totals(&tau, &incidence).unwrap();
+        for (i, incidence) in incidence.iter().enumerate() {
+            let traced = half_space(medium, &request(&tau, *incidence, 200_000));
+            for t in 0..tau.len() {
+                let (a, b) = (traced.estimate(t, stratiform_quantities::Order::Total), solved.total(i, t));
+                family.compare(format!("{name} {incidence} {} R", tau[t]), a.0, b.0);
+                family.compare(format!("{name} {incidence} {} T", tau[t]), a.1, b.1);
+            }
+        }
+    }
+    family.assert(1e-3);
+}
+
+/// The error reported at a loose tolerance covers the distance to a tight solution.
+#[test]
+fn the_reported_error_is_a_bound() {
+    let (tau, incidence) = ([0.03, 1.0, 50.0], [beam(0.0), beam(0.1), beam(0.7), Incidence::Diffuse]);
+    for phase in [isotropic(), hg(0.75), hg(0.85)] {
+        let exact = solver(phase.clone(), 1.0, 1e-7).totals(&tau, &incidence).unwrap();
+        for tolerance in [1e-3, 1e-4, 1e-5] {
+            let loose = solver(phase.clone(), 1.0, tolerance).totals(&tau, &incidence).unwrap();
+            assert!(loose.worst_error() <= tolerance);
+            for i in 0..incidence.len() {
+                for t in 0..tau.len() {
+                    let (a, b) = (loose.total(i, t), exact.total(i, t));
+                    let off = (a.0.value - b.0.value).abs();
+                    assert!(off <= a.0.std_error + 1e-7, "{off:e} {:e}", a.0.std_error);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_tolerance_out_of_reach_says_what_was_reached() {
+    let error = solver(isotropic(), 1.0, 1e-12).totals(&[0.03], &[beam(0.05)]).unwrap_err();
+    assert!(
+        matches!(error, TransportError::Tolerance { reached, .. } if reached > 1e-12 && reached < 1e-6),
+        "{error}"
+    );
+}
+
+#[test]
+fn bad_input_is_refused() {
+    let medium = SolveMedium::full(isotropic(), SingleScatteringAlbedo::CONSERVATIVE);
+    assert!(Solver::new(medium.clone(), f64::NAN).is_err());
+    let solver = Solver::new(medium, 1e-3).unwrap();
+    assert!(solver.totals(&[], &[Incidence::Diffuse]).is_err());
+    assert!(solver.totals(&[1.0], &[]).is_err());
+    assert!(solver.totals(&[f64::NAN], &[Incidence::Diffuse]).is_err());
+    assert!(SolveMedium::from_moments(vec![0.5], albedo(1.0)).is_err());
+}
