@@ -2,9 +2,10 @@
 
 mod common;
 
+use common::h_function;
 use common::published::{Published, coefficients, published};
 use common::{beam, full, half_space, hg, isotropic, modified, request};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 use std::sync::Arc;
 use stratiform_optics::phase::PhaseFunction;
 use stratiform_quantities::{Incidence, SingleScatteringAlbedo};
@@ -114,22 +115,6 @@ fn incidence_on_a_stream_is_ordinary() {
         let near = totals(&solver, 3.0, beam(mu0 + 1e-9));
         assert!((r - near.0).abs() < 1e-8 && (t - near.1).abs() < 1e-8);
     }
-}
-
-/// H(μ) of isotropic scattering: ln H = -(μ/π)∫ ln(1 - ωθ cotθ)/(cos²θ + μ²sin²θ) dθ over a quarter circle (Stibbs & Weir 1959).
-fn h_function(omega: f64, mu: f64) -> f64 {
-    const PANELS: usize = 20_000;
-    let f = |theta: f64| {
-        let (s, c) = (libm::sin(theta), libm::cos(theta));
-        let cotangent = if theta == 0.0 { 1.0 } else { theta * c / s };
-        libm::log1p(-omega * cotangent) / (c * c + mu * mu * s * s)
-    };
-    let h = FRAC_PI_2 / PANELS as f64;
-    let simpson = (0..=PANELS).fold(0.0, |sum, i| {
-        let weight = if i == 0 || i == PANELS { 1.0 } else { [2.0, 4.0][i % 2] };
-        sum + weight * f(h * i as f64)
-    });
-    libm::exp(-mu / PI * simpson * h / 3.0)
 }
 
 /// Plane albedo of the half-space: 1 - √(1-ω) H(μ0) (Chandrasekhar 1950, ch. 5).

@@ -6,7 +6,7 @@ use crate::output::Data;
 use crate::solve_args::SolveArgs;
 use crate::{CliError, pipeline};
 use stratiform_artifact::{OrderResult, OrdersDocument, Provenance, hash_of, to_json};
-use stratiform_quantities::{OpticalThickness, Order};
+use stratiform_quantities::OpticalThickness;
 use stratiform_transport::solve::{SolveMedium, Solved, Solver};
 
 const METHOD: &str = "discrete ordinates with half-range Galerkin kernel; std_error is the estimated absolute error, \
@@ -24,7 +24,7 @@ pub fn run(args: &SolveArgs) -> Result<Data, CliError> {
     let medium = Medium::parse(&args.medium)?;
     let solver =
         Solver::new(SolveMedium::from(medium.traced()), args.tolerance).map_err(pipeline::trace_error)?;
-    let solved = solver.totals(&args.tau, &incidences).map_err(pipeline::trace_error)?;
+    let solved = solver.orders(&args.tau, &incidences, args.orders).map_err(pipeline::trace_error)?;
     let results = rows(&solved);
     if !args.json {
         return order_rows::csv(&medium, results);
@@ -45,8 +45,8 @@ fn rows(solved: &Solved) -> Vec<OrderResult> {
     let mut rows = Vec::new();
     for (i, &mu0) in solved.incidence().iter().enumerate() {
         for (t, &tau) in solved.tau().iter().enumerate() {
-            for order in [Order::Total] {
-                let (reflectance, transmittance) = solved.total(i, t);
+            for (n, &order) in solved.orders().iter().enumerate() {
+                let (reflectance, transmittance) = solved.estimate(i, t, n);
                 rows.push(OrderResult { tau, mu0, order, reflectance, transmittance });
             }
         }

@@ -85,12 +85,42 @@ impl Matrix {
         l
     }
 
+    /// The inverse, by Gauss–Jordan elimination with row pivots.
+    pub(crate) fn inverse(mut self) -> Self {
+        let n = self.size;
+        let mut inverse = Self::from_fn(n, |i, j| if i == j { 1.0 } else { 0.0 });
+        for k in 0..n {
+            let pivot = self.pivot(k);
+            if pivot != k {
+                for matrix in [&mut self, &mut inverse] {
+                    let (a, b) = matrix.two_rows(k, pivot);
+                    a.swap_with_slice(b);
+                }
+            }
+            let scale = 1.0 / self[(k, k)];
+            self.row_mut(k).iter_mut().chain(inverse.row_mut(k)).for_each(|value| *value *= scale);
+            for i in (0..n).filter(|i| *i != k) {
+                let factor = -self[(i, k)];
+                for matrix in [&mut self, &mut inverse] {
+                    let (low, high) = matrix.two_rows(i.min(k), i.max(k));
+                    let (source, target) = if i < k { (high, low) } else { (low, high) };
+                    add_scaled(target, factor, source);
+                }
+            }
+        }
+        inverse
+    }
+
+    /// The row at or below `k` with the largest element in column `k`.
+    fn pivot(&self, k: usize) -> usize {
+        (k..self.size).fold(k, |best, i| if self[(i, k)].abs() > self[(best, k)].abs() { i } else { best })
+    }
+
     /// Solution of self · x = `right`, by elimination with row pivots. Destroys the matrix.
     pub(crate) fn solve(mut self, mut right: Vec<f64>) -> Vec<f64> {
         let n = self.size;
         for k in 0..n {
-            let pivot =
-                (k..n).fold(k, |best, i| if self[(i, k)].abs() > self[(best, k)].abs() { i } else { best });
+            let pivot = self.pivot(k);
             if pivot != k {
                 let (a, b) = self.two_rows(k, pivot);
                 a.swap_with_slice(b);

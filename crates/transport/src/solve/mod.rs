@@ -9,11 +9,13 @@
 //!
 //! Fluxes need the azimuthal mean only. Units: reflectance and transmittance per incident flux; τ of the full medium.
 
+mod grid;
 mod jacobi;
 mod kernel;
 mod matrix;
 mod medium;
 mod modes;
+mod orders;
 mod quadrature;
 mod slab;
 mod solved;

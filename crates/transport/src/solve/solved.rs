@@ -1,7 +1,7 @@
 //! The solver's answer.
 
 use super::solver::Solver;
-use stratiform_quantities::Incidence;
+use stratiform_quantities::{Incidence, Order};
 use stratiform_stats::Estimate;
 
 /// Reflectance and transmittance with estimated absolute errors (in `std_error`).
@@ -9,24 +9,23 @@ use stratiform_stats::Estimate;
 pub struct Solved {
     tau: Vec<f64>,
     incidence: Vec<Incidence>,
-    /// Orders 0…N listed, none for totals only.
-    orders: usize,
-    /// R, T for each row of orders, thickness inside incidence.
+    /// Rows of each thickness and incidence.
+    orders: Vec<Order>,
+    /// R, T for each order, these inside thickness, that inside incidence.
     rows: Vec<(f64, f64)>,
     streams: usize,
     moments: usize,
 }
 
 impl Solved {
-    pub(crate) fn totals(
+    pub(crate) fn new(
         solver: &Solver,
-        tau: &[f64],
-        incidence: &[Incidence],
-        rows: Vec<(f64, f64)>,
-        streams: usize,
+        (tau, incidence): (&[f64], &[Incidence]),
+        orders: Vec<Order>,
+        (rows, streams): (Vec<(f64, f64)>, usize),
     ) -> Self {
         let (tau, incidence, moments) = (tau.to_vec(), incidence.to_vec(), solver.moment_count());
-        Self { tau, incidence, orders: 0, rows, streams, moments }
+        Self { tau, incidence, orders, rows, streams, moments }
     }
 
     /// Optical thicknesses of the full medium, as asked.
@@ -54,13 +53,31 @@ impl Solved {
         self.rows.iter().fold(0.0, |worst, (_, error)| worst.max(*error))
     }
 
+    /// The orders solved for.
+    pub fn orders(&self) -> &[Order] {
+        &self.orders
+    }
+
+    /// Reflectance and transmittance of the order in place `order_index` of [`orders`](Self::orders).
+    ///
+    /// # Panics
+    /// If an index is out of bounds.
+    pub fn estimate(
+        &self,
+        incidence_index: usize,
+        tau_index: usize,
+        order_index: usize,
+    ) -> (Estimate, Estimate) {
+        let place = (incidence_index * self.tau.len() + tau_index) * self.orders.len() + order_index;
+        let of = |(value, std_error): (f64, f64)| Estimate { value, std_error };
+        (of(self.rows[2 * place]), of(self.rows[2 * place + 1]))
+    }
+
     /// Total reflectance and transmittance.
     ///
     /// # Panics
     /// If an index is out of bounds.
     pub fn total(&self, incidence_index: usize, tau_index: usize) -> (Estimate, Estimate) {
-        let at = 2 * (incidence_index * self.tau.len() + tau_index);
-        let of = |(value, std_error): (f64, f64)| Estimate { value, std_error };
-        (of(self.rows[at]), of(self.rows[at + 1]))
+        self.estimate(incidence_index, tau_index, self.orders.len() - 1)
     }
 }

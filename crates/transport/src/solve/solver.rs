@@ -7,17 +7,22 @@
 use super::kernel::Kernel;
 use super::medium::SolveMedium;
 use super::modes::Modes;
+use super::orders::Orders;
 use super::slab::{Direction, Pair, Slab};
 use super::solved::Solved;
 use crate::TransportError;
+use rayon::prelude::*;
 use std::borrow::Cow;
-use stratiform_quantities::{Incidence, OpticalThickness, Range};
+use stratiform_quantities::{Incidence, OpticalThickness, Order, Range};
 
 /// Streams per hemisphere.
 const LADDER: [usize; 9] = [8, 12, 16, 24, 32, 48, 64, 96, 128];
 
 /// Rungs served by the first, smaller kernel.
 const FIRST_SIZE: usize = 32;
+
+/// Numbers of orders listed.
+const ORDERS: Range = Range::closed(0.0, 60.0);
 
 /// Tolerances that double precision can meet.
 const TOLERANCE: Range = Range { max_included: false, ..Range::closed(1e-12, 1.0) };
@@ -58,8 +63,27 @@ impl Solver {
     pub fn totals(&self, tau: &[f64], incidence: &[Incidence]) -> Result<Solved, TransportError> {
         check(tau, incidence)?;
         let rows = |kernel: &Kernel, count: usize| self.rung(kernel, count, tau, incidence);
-        let (rows, streams) = self.climb(rows)?;
-        Ok(Solved::totals(self, tau, incidence, rows, streams))
+        Ok(Solved::new(self, (tau, incidence), vec![Order::Total], self.climb(rows)?))
+    }
+
+    /// Orders 0…`max_order`, tail and total for every thickness and incidence; the tail is the total less the orders.
+    ///
+    /// # Errors
+    /// As for [`totals`](Self::totals), and [`TransportError::Domain`] for more than 60 orders.
+    pub fn orders(
+        &self,
+        tau: &[f64],
+        incidence: &[Incidence],
+        max_order: u32,
+    ) -> Result<Solved, TransportError> {
+        check(tau, incidence)?;
+        ORDERS.check("orders", f64::from(max_order))?;
+        let rows = |kernel: &Kernel, count: usize| {
+            let totals = self.rung(kernel, count, tau, incidence);
+            let orders = self.order_rung(kernel, count, tau, incidence, max_order as usize);
+            with_tails(&orders, &totals)
+        };
+        Ok(Solved::new(self, (tau, incidence), Order::rows(max_order).collect(), self.climb(rows)?))
     }
 
     pub(crate) fn moment_count(&self) -> usize {
@@ -97,6 +121,28 @@ impl Solver {
         (third - second).abs().max(0.25 * (second - first).abs()) + self.neglected + f64::EPSILON
     }
 
+    /// Orders with `count` streams, a list for each incidence and thickness inside it.
+    fn order_rung(
+        &self,
+        kernel: &Kernel,
+        count: usize,
+        tau: &[f64],
+        incidence: &[Incidence],
+        max_order: usize,
+    ) -> Vec<Vec<Pair>> {
+        // Depth is refined along with angle, so that the ladder sees both errors.
+        let intervals = 6 + LADDER.iter().take_while(|rung| **rung < count).count();
+        let orders = Orders::new(kernel, count, intervals, self.medium.albedo, max_order);
+        let view = |incidence: &Incidence| match incidence {
+            Incidence::Diffuse => None,
+            Incidence::Beam(mu0) => Some(orders.view(kernel, mu0.get())),
+        };
+        let views: Vec<_> = incidence.iter().map(view).collect();
+        let slabs: Vec<Vec<Vec<Pair>>> =
+            tau.par_iter().map(|tau| orders.of_slab(tau * self.medium.extinction, &views)).collect();
+        (0..incidence.len()).flat_map(|i| slabs.iter().map(move |slab| slab[i].clone())).collect()
+    }
+
     /// R and T with `count` streams: incidences outside, thicknesses inside.
     fn rung(&self, kernel: &Kernel, count: usize, tau: &[f64], incidence: &[Incidence]) -> Vec<f64> {
         let modes = Modes::new(kernel, count, self.medium.albedo);
@@ -126,7 +172,23 @@ impl Solver {
     }
 }
 
-pub(crate) fn check(tau: &[f64], incidence: &[Incidence]) -> Result<(), TransportError> {
+/// R and T of orders, tail and total, from lists of orders and totals.
+fn with_tails(orders: &[Vec<Pair>], totals: &[f64]) -> Vec<f64> {
+    let mut rows = Vec::new();
+    for (orders, total) in orders.iter().zip(totals.chunks(2)) {
+        let mut tail = [total[0], total[1]];
+        for pair in orders {
+            rows.extend([pair.reflectance, pair.transmittance]);
+            tail[0] -= pair.reflectance;
+            tail[1] -= pair.transmittance;
+        }
+        rows.extend(tail);
+        rows.extend(total);
+    }
+    rows
+}
+
+fn check(tau: &[f64], incidence: &[Incidence]) -> Result<(), TransportError> {
     if tau.is_empty() {
         return Err(TransportError::NoThickness);
     }
