@@ -1,16 +1,16 @@
 //! Scattering between streams, every Legendre moment included, whatever the number of streams.
 //!
 //! The azimuthally averaged redistribution p(μ,μ') = Σ(2l+1)χ_l P_l(μ)P_l(μ') acts on polynomials of degree < n in each
-//! hemisphere (Galerkin): K_kk' = Σ(2l+1)χ_l c_kl c_k'l over even or odd l, with c_kl = ∫₀¹φ_k P_l dμ. A usual discrete-ordinate
+//! hemisphere in √μ (Galerkin): K_kk' = Σ(2l+1)χ_l c_kl c_k'l over even or odd l, with c_kl = ∫₀¹φ_k P_l dμ. A usual discrete-ordinate
 //! code evaluates P_l at the nodes, must stop at l = 2n, and so needs δ-M (Wiscombe 1977) for a peak. Here a peak
 //! narrower than the streams, even χ_l = 1 for all l, becomes the identity it is for smooth radiances: what δ-M approximates. K is
 //! the compression of an operator of norm ≤ 1, so the medium never creates light. Σw_iK_ij = δ terms hold to rounding.
 //!
-//! c_kl follows from μφ_k = β_{k+1}φ_{k+1} + ½φ_k + β_kφ_{k-1}, β_k = k/(2√(4k²-1)), and the recurrence of P_l:
-//! (l+1)c_{k,l+1} = (2l+1)(β_{k+1}c_{k+1,l} + ½c_kl + β_kc_{k-1,l}) - l c_{k,l-1}.
+//! c_kl follows from the recurrence of P_l, (l+1)P_{l+1} = (2l+1)μP_l - lP_{l-1}, in the basis φ_k, where μ = y² is the
+//! tridiagonal matrix of y applied twice.
 
 use super::matrix::{Matrix, add_scaled};
-use super::quadrature::{Streams, legendre_row};
+use super::quadrature::{Streams, legendre_row, recurrence};
 
 /// Moments and their compression to at most `size` polynomials per hemisphere.
 #[derive(Clone, Debug)]
@@ -71,49 +71,58 @@ impl Kernel {
 
 /// c_kl for l < `count`, k < `size`.
 fn projections(count: usize, size: usize) -> Vec<f64> {
-    let width = size + count + 2;
-    let beta: Vec<f64> = (0..width)
-        .map(|k| k as f64)
-        .map(|k| if k > 0.0 { k / (2.0 * (4.0 * k * k - 1.0).sqrt()) } else { 0.0 })
-        .collect();
-    let (mut before, mut now, mut next) = (vec![0.0; width], vec![0.0; width], vec![0.0; width]);
+    let width = size + 2 * count + 4;
+    let coefficients: Vec<(f64, f64)> =
+        (0..=width).map(recurrence).map(|(a, b)| (0.5 * (1.0 + a), 0.5 * b)).collect();
+    let (mut before, mut now, mut half) = (vec![0.0; width], vec![0.0; width], vec![0.0; width]);
     now[0] = 1.0;
     let mut table = Vec::with_capacity(count * size);
     for l in 0..count {
         table.extend_from_slice(&now[..size]);
-        // Beyond k = l + 1 all is zero; beyond size + count - l nothing is asked for.
-        let last = (l + 2).min(size + count - l).min(width - 1);
+        // Beyond k = 2l all is zero; beyond size + 2(count - l) nothing is asked for.
+        let last = (2 * l + 4).min(size + 2 * (count - l));
+        times_y(&coefficients, &now, &mut half, last);
         let (up, down) = ((2 * l + 1) as f64 / (l + 1) as f64, l as f64 / (l + 1) as f64);
-        next[0] = up * (beta[1] * now[1] + 0.5 * now[0]) - down * before[0];
-        for k in 1..last {
-            next[k] =
-                up * (beta[k + 1] * now[k + 1] + 0.5 * now[k] + beta[k] * now[k - 1]) - down * before[k];
-        }
+        // P_{l-1} makes room for P_{l+1}.
+        before.iter_mut().for_each(|value| *value *= -down);
+        add_times_y(&coefficients, &half, &mut before, last, up);
         std::mem::swap(&mut before, &mut now);
-        std::mem::swap(&mut now, &mut next);
     }
     table
+}
+
+/// `result` = coefficients of y times the polynomial `of`, up to place `last`.
+fn times_y(coefficients: &[(f64, f64)], of: &[f64], result: &mut [f64], last: usize) {
+    result[..last].fill(0.0);
+    add_times_y(coefficients, of, result, last, 1.0);
+}
+
+/// Adds `factor` y times the polynomial `of`.
+fn add_times_y(coefficients: &[(f64, f64)], of: &[f64], result: &mut [f64], last: usize, factor: f64) {
+    result[0] += factor * (coefficients[0].0 * of[0] + coefficients[1].1 * of[1]);
+    for k in 1..last {
+        let (a, b) = coefficients[k];
+        result[k] += factor * (coefficients[k + 1].1 * of[k + 1] + a * of[k] + b * of[k - 1]);
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::quadrature::gauss_legendre;
 
-    /// Against Gauss quadrature of φ_k P_l with enough points to be exact.
+    /// Against the rule itself, with enough points to be exact: √w_i φ_k(y_i) times √w_i P_l(y_i²), summed.
     #[test]
     fn the_recurrence_gives_the_integrals() {
-        let (count, size) = (600, 20);
+        let (count, size) = (200, 20);
         let table = projections(count, size);
+        let streams = Streams::new(count + size);
         let mut by_quadrature = vec![0.0; count * size];
-        let (mut p, mut phi) = (vec![0.0; count], vec![0.0; size]);
-        for (x, w) in gauss_legendre(320) {
-            legendre_row(0.5 * (1.0 + x), &mut p);
-            legendre_row(x, &mut phi);
-            for l in 0..count {
-                for k in 0..size {
-                    by_quadrature[l * size + k] += 0.5 * w * p[l] * phi[k] * ((2 * k + 1) as f64).sqrt();
-                }
+        let mut p = vec![0.0; count];
+        for (i, mu) in streams.mu.iter().enumerate() {
+            legendre_row(*mu, &mut p);
+            for (l, p) in p.iter().enumerate() {
+                let row = &mut by_quadrature[l * size..(l + 1) * size];
+                add_scaled(row, p * streams.root_weight[i], &streams.transform.row(i)[..size]);
             }
         }
         let worst = table.iter().zip(&by_quadrature).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
@@ -123,13 +132,13 @@ mod tests {
     /// χ_l = 1 is no scattering at all: the identity. The sum over l converges like 1/L.
     #[test]
     fn a_delta_peak_is_the_identity() {
-        let streams = Streams::new(8);
-        let (even, odd) = Kernel::new(vec![1.0; 4000], 8).between(&streams);
-        for i in 0..8 {
-            for j in 0..8 {
+        let streams = Streams::new(6);
+        let (even, odd) = Kernel::new(vec![1.0; 4000], 6).between(&streams);
+        for i in 0..6 {
+            for j in 0..6 {
                 let expected = if i == j { 1.0 } else { 0.0 };
-                let found = 0.5 * (even[(i, j)] + odd[(i, j)]) * 1.0;
-                assert!((found - expected).abs() < 0.02, "{i} {j}: {found}");
+                let found = 0.5 * (even[(i, j)] + odd[(i, j)]);
+                assert!((found - expected).abs() < 0.05, "{i} {j}: {found}");
             }
         }
     }

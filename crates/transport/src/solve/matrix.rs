@@ -38,6 +38,7 @@ impl Matrix {
     }
 
     /// Rows `i` and `j`, i < j, both to be changed.
+    #[inline]
     pub(crate) fn two_rows(&mut self, i: usize, j: usize) -> (&mut [f64], &mut [f64]) {
         let (head, tail) = self.data.split_at_mut(j * self.size);
         (&mut head[i * self.size..(i + 1) * self.size], &mut tail[..self.size])
@@ -160,6 +161,7 @@ pub(crate) fn add_scaled(target: &mut [f64], factor: f64, source: &[f64]) {
 }
 
 /// Σ aᵢbᵢ in four lanes.
+#[inline]
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut lanes = [0.0; 4];
     let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
