@@ -1,5 +1,7 @@
 //! The deterministic solver's orders against closed forms, the law R(ω) = ΣR_nωⁿ, and the photon tracer.
 
+#![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
+
 mod common;
 
 use common::{Family, beam, full, h_function, half_space, hg, isotropic, request};
@@ -49,14 +51,15 @@ fn integral(f: impl Fn(f64) -> f64) -> f64 {
 
 /// P averaged over azimuth between direction cosines `a` and `b` (periodic trapezoid).
 fn mean_over_azimuth(phase: &dyn PhaseFunction, a: f64, b: f64) -> f64 {
-    const STEPS: u32 = 200;
+    const STEPS: u32 = 400;
     let sines = ((1.0 - a * a) * (1.0 - b * b)).sqrt();
     let at =
         |k: u32| phase.value(1.0 - a * b - sines * libm::cos(2.0 * PI * f64::from(k) / f64::from(STEPS)));
     (0..STEPS).fold(0.0, |sum, k| sum + at(k)) / f64::from(STEPS)
 }
 
-/// R_1 = ½∫P(-μ,μ0) μ/(μ+μ0) (1 - e^{-τ(1/μ+1/μ0)}) dμ and T_1 = ½∫P(μ,μ0) μ (e^{-τ/μ0} - e^{-τ/μ})/(μ0-μ) dμ.
+/// R_1 = ½∫P(-μ,μ0) μ/(μ+μ0) (1 - e^{-τ(1/μ+1/μ0)}) dμ and T_1 = ½∫P(μ,μ0) μ (e^{-τ/μ0} - e^{-τ/μ})/(μ0-μ)
+/// dμ.
 #[test]
 fn first_orders_have_their_closed_forms() {
     for (phase, tolerance) in [(isotropic(), 1e-8), (hg(0.5), 1e-8), (hg(0.75), 1e-8), (hg(0.85), 1e-7)] {
@@ -78,6 +81,30 @@ fn first_orders_have_their_closed_forms() {
             let off = [found[0] - reflected, found[1] - transmitted];
             assert!(off.iter().all(|off| off.abs() < tolerance), "{mu0} {tau}: {off:?}");
         }
+    }
+}
+
+/// R_1 of the paper's cloud, full and modified, from its table by the same integral; T_0 of diffuse light is 2E_3(τ).
+#[test]
+fn the_clouds_first_order_has_its_closed_form() {
+    let full = SolveMedium::full(cloud(), SingleScatteringAlbedo::CONSERVATIVE);
+    let cut = Modified::new(cloud(), 5.0).unwrap();
+    let extinction = 1.0 - cut.forward_fraction();
+    let cases: [(Arc<dyn PhaseFunction>, SolveMedium, f64); 2] =
+        [(cloud(), full, 1.0), (Arc::new(cut), SolveMedium::from(&modified_cloud()), extinction)];
+    for (phase, medium, extinction) in cases {
+        let (mu0, tau) = (0.5, 5.0);
+        let incidence = [beam(mu0), Incidence::Diffuse];
+        let solved = Solver::new(medium, 5e-6).unwrap().orders(&[tau], &incidence, 1).unwrap();
+        let reflected = 0.5
+            * integral(|mu| {
+                let escape = -libm::expm1(-extinction * (tau / mu + tau / mu0));
+                mean_over_azimuth(phase.as_ref(), -mu, mu0) * mu / (mu + mu0) * escape
+            });
+        let off = pair(&solved, 0, 0, Order::Exactly(1))[0] - reflected;
+        assert!(off.abs() < 5e-6, "{off:e}");
+        let unscattered = integral(|mu| 2.0 * mu * libm::exp(-extinction * tau / mu));
+        assert!((pair(&solved, 1, 0, Order::Exactly(0))[1] - unscattered).abs() < 5e-6);
     }
 }
 
@@ -106,10 +133,10 @@ fn orders_sum_to_absorbing_totals() {
         let totals = solver(phase, omega, tolerance).totals(&tau, &incidence).unwrap();
         for (i, t) in (0..incidence.len()).flat_map(|i| [(i, 0), (i, 1)]) {
             let expected = pair(&totals, i, t, Order::Total);
-            for side in 0..2 {
+            for (side, expected) in expected.into_iter().enumerate() {
                 let term = |n| pair(&orders, i, t, Order::Exactly(n))[side];
                 let sum = (0..=45).rev().fold(0.0, |sum, n| sum * omega + term(n));
-                assert!((sum - expected[side]).abs() < tolerance, "{i} {t}: {:e}", sum - expected[side]);
+                assert!((sum - expected).abs() < tolerance, "{i} {t}: {:e}", sum - expected);
             }
         }
     }
@@ -133,7 +160,8 @@ fn orders_and_tail_make_the_total_and_scale_with_albedo() {
     assert_eq!(pair(&absorbing, 0, 0, Order::Exactly(0)), [0.0, 1.0]);
 }
 
-/// Grazing light first scatters at the surface: R_1 = ½ for any thickness; isotropic light then gives R_2 = ⅛ in the half-space.
+/// Grazing light first scatters at the surface: R_1 = ½ for any thickness; isotropic light then gives R_2 =
+/// ⅛ in the half-space.
 #[test]
 fn grazing_orders_are_exact() {
     let solved = solver(isotropic(), 1.0, 1e-7).orders(&[0.3, 1e3], &[beam(0.0)], 2).unwrap();

@@ -1,9 +1,10 @@
 //! A slab cut into panels, and transport along one direction cosine through a panel.
 //!
-//! Panels start at twice the smallest stream cosine at both surfaces, double in width up to 3, and are mirror images about
-//! the middle. In each, μ dI/dt + I = J is collocated at Chebyshev–Lobatto points x_i = (1 - cos πi/p)/2, i = 1…p, with I(x_0) given:
-//! I = r(D + r)⁻¹J - (D + r)⁻¹d_0 I(x_0), r = width/μ (Canuto et al. 2006, ch. 3). The last point is collocated, so
-//! that streams far thinner than a panel follow J instead of ringing.
+//! Panels start at twice the smallest stream cosine at both surfaces, double in width up to 3, and are
+//! mirror images about the middle. In each, μ dI/dt + I = J is collocated at Chebyshev–Lobatto points x_i =
+//! (1 - cos πi/p)/2, i = 1…p, with I(x_0) given: I = r(D + r)⁻¹J - (D + r)⁻¹d_0 I(x_0), r = width/μ (Canuto
+//! et al. 2006, ch. 3). The last point is collocated, so that streams far thinner than a panel follow J
+//! instead of ringing.
 
 use super::matrix::Matrix;
 use std::f64::consts::PI;

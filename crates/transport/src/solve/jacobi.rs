@@ -1,7 +1,7 @@
 //! Singular values and right singular vectors by one-sided Jacobi rotations (Hestenes 1958).
 //!
-//! Chosen over a QL iteration on XᵀX because the small singular values, the slowly decaying modes, then keep an
-//! absolute error of rounding size instead of its square root.
+//! Chosen over a QL iteration on XᵀX because the small singular values, the slowly decaying modes, then
+//! keep an absolute error of rounding size instead of its square root.
 
 use super::matrix::{Matrix, dot};
 
@@ -27,7 +27,8 @@ fn squares(columns: &Matrix) -> Vec<f64> {
     (0..columns.size()).map(|i| dot(columns.row(i), columns.row(i))).collect()
 }
 
-/// One round over all pairs; whether any was rotated. The same bits on every processor: nothing is fused or reordered.
+/// One round over all pairs; whether any was rotated. The same bits on every processor: nothing is fused or
+/// reordered.
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
 fn sweep(columns: &mut Matrix, vectors: &mut Matrix) -> bool {
     let mut squares = squares(columns);

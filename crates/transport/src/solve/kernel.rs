@@ -1,13 +1,15 @@
 //! Scattering between streams, every Legendre moment included, whatever the number of streams.
 //!
-//! The azimuthally averaged redistribution p(μ,μ') = Σ(2l+1)χ_l P_l(μ)P_l(μ') acts on polynomials of degree < n in each
-//! hemisphere in √μ (Galerkin): K_kk' = Σ(2l+1)χ_l c_kl c_k'l over even or odd l, with c_kl = ∫₀¹φ_k P_l dμ. A usual discrete-ordinate
-//! code evaluates P_l at the nodes, must stop at l = 2n, and so needs δ-M (Wiscombe 1977) for a peak. Here a peak
-//! narrower than the streams, even χ_l = 1 for all l, becomes the identity it is for smooth radiances: what δ-M approximates. K is
-//! the compression of an operator of norm ≤ 1, so the medium never creates light. Σw_iK_ij = δ terms hold to rounding.
+//! The azimuthally averaged redistribution p(μ,μ') = Σ(2l+1)χ_l P_l(μ)P_l(μ') acts on polynomials of degree
+//! < n in each hemisphere in √μ (Galerkin): K_kk' = Σ(2l+1)χ_l c_kl c_k'l over even or odd l, with c_kl =
+//! ∫₀¹φ_k P_l dμ. A usual discrete-ordinate code evaluates P_l at the nodes, must stop at l = 2n, and so
+//! needs δ-M (Wiscombe 1977) for a peak. Here a peak narrower than the streams, even χ_l = 1 for all l,
+//! becomes the identity it is for smooth radiances: what δ-M approximates. K is the compression of an
+//! operator of norm ≤ 1, so the medium never creates light; and ∫P_l dμ = 0 for even l > 0 holds to
+//! rounding, so none is lost.
 //!
-//! c_kl follows from the recurrence of P_l, (l+1)P_{l+1} = (2l+1)μP_l - lP_{l-1}, in the basis φ_k, where μ = y² is the
-//! tridiagonal matrix of y applied twice.
+//! c_kl follows from the recurrence of P_l, (l+1)P_{l+1} = (2l+1)μP_l - lP_{l-1}, in the basis φ_k, where μ
+//! = y² is the tridiagonal matrix of y applied twice.
 
 use super::matrix::{Matrix, add_scaled};
 use super::quadrature::{Streams, legendre_row, recurrence};
@@ -53,7 +55,7 @@ impl Kernel {
     }
 
     /// p(μ, μ_j) √w_j into any direction cosine `mu`, for even and odd l.
-    pub(crate) fn into_direction(&self, mu: f64, streams: &Streams) -> (Vec<f64>, Vec<f64>) {
+    pub(crate) fn towards(&self, mu: f64, streams: &Streams) -> (Vec<f64>, Vec<f64>) {
         let (size, count) = (self.even.size(), streams.count());
         let mut legendre = vec![0.0; self.moments.len()];
         legendre_row(mu, &mut legendre);

@@ -1,7 +1,7 @@
 //! Dense real matrices of a few dozen rows, and the three factorisations the solver needs.
 //!
-//! Own code, because a general library (faer: 43 crates, 90 s to build) buys nothing at this size, picks its kernels
-//! by processor and with them its last bits. Row-major; every loop runs in a fixed order.
+//! Own code, because a general library (faer: 43 crates, 90 s to build) buys nothing at this size, picks
+//! its kernels by processor and with them its last bits. Row-major; every loop runs in a fixed order.
 
 use std::ops::{Index, IndexMut};
 
@@ -60,7 +60,7 @@ impl Matrix {
 
     /// Row vector times matrix.
     #[cfg(test)]
-    pub(crate) fn from_left(&self, row: &[f64]) -> Vec<f64> {
+    fn times_row(&self, row: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; self.size];
         for (i, factor) in row.iter().enumerate() {
             add_scaled(&mut product, *factor, self.row(i));
@@ -188,7 +188,7 @@ mod tests {
         for n in [1, 2, 5, 17] {
             let a = sample(n);
             let x: Vec<f64> = (0..n).map(|i| 1.0 - 0.3 * i as f64).collect();
-            let solved = a.clone().solve(a.from_left(&x));
+            let solved = a.clone().solve(a.times_row(&x));
             assert!(solved.iter().zip(&x).all(|(s, x)| (s - x).abs() < 1e-12), "{n}");
             let l = a.cholesky();
             let product = l.times(&l.transposed());

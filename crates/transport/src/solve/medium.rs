@@ -61,7 +61,7 @@ impl SolveMedium {
             let chi = phase.moments(count);
             let last = chi[count - count / 4..].iter().fold(0.0_f64, |most, chi| most.max(chi.abs()));
             let rest = last * 4.0 / count as f64;
-            if rest <= 0.02 * tolerance || count >= MOST {
+            if rest <= 0.1 * tolerance || count >= MOST {
                 return (chi, rest);
             }
             count *= 2;

@@ -1,10 +1,11 @@
 //! The modes in which light decays with depth: discrete ordinates, azimuthally averaged.
 //!
-//! With u, v the radiances down and up, S = u+v and D = u-v (both times √w), M = diag μ, E and O the even and odd kernel:
-//! M D' = -A S, M S' = -B D, A = I - ωE, B = I - ωO (Chandrasekhar 1950 ch. 6; halved as in Stamnes & Swanson 1981).
-//! Hence S'' = M⁻¹BM⁻¹A S. With Cholesky factors A = FFᵀ, B = LLᵀ the decay rates k_j are the singular values of
-//! FᵀM⁻¹L, its right vectors v_j give φ_j = M⁻¹L v_j (the part of S) and ψ_j = L⁻ᵀv_j: S ∝ φ cosh kx, D ∝ -kψ sinh kx.
-//! A lossless medium has one k = 0, which needs no case of its own: cosh → 1 and sinh(kx)/k → x.
+//! With u, v the radiances down and up, S = u+v and D = u-v (both times √w), M = diag μ, E and O the even
+//! and odd kernel: M D' = -A S, M S' = -B D, A = I - ωE, B = I - ωO (Chandrasekhar 1950 ch. 6; halved as in
+//! Stamnes & Swanson 1981). Hence S'' = M⁻¹BM⁻¹A S. With Cholesky factors A = FFᵀ, B = LLᵀ the decay rates
+//! k_j are the singular values of FᵀM⁻¹L, its right vectors v_j give φ_j = M⁻¹L v_j (the part of S) and ψ_j
+//! = L⁻ᵀv_j: S ∝ φ cosh kx, D ∝ -kψ sinh kx. A lossless medium has one k = 0, which needs no case of its
+//! own: cosh → 1 and sinh(kx)/k → x.
 
 use super::jacobi::singular;
 use super::kernel::Kernel;
@@ -41,8 +42,8 @@ impl Modes {
     }
 
     /// How strongly each mode scatters into direction cosine `mu`, by its φ and by its ψ.
-    pub(crate) fn into_direction(&self, kernel: &Kernel, mu: f64) -> (Vec<f64>, Vec<f64>) {
-        let (even, odd) = kernel.into_direction(mu, &self.streams);
+    pub(crate) fn towards(&self, kernel: &Kernel, mu: f64) -> (Vec<f64>, Vec<f64>) {
+        let (even, odd) = kernel.towards(mu, &self.streams);
         let onto = |row: &[f64], modes: &Matrix| (0..row.len()).map(|j| dot(row, modes.row(j))).collect();
         (onto(&even, &self.sum), onto(&odd, &self.difference))
     }

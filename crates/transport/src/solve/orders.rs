@@ -1,11 +1,13 @@
 //! Reflectance and transmittance of each scattering order, by successive orders.
 //!
-//! The same diffusely lit problem as the totals: order 0 is e^{-t/μ}; each order's field is scattered (kernel) and
-//! transported (grid) into the next, and its source function integrated towards any μ0 gives, by reciprocity, R_n(μ0) and
-//! T_n(μ0) for all incidences at once. Chosen over the transform of totals at complex ω: no complex eigenproblem, all orders keep
-//! their relative size, and orders 0–2 cost next to nothing.
+//! The same diffusely lit problem as the totals: order 0 is e^{-t/μ}; each order's field is scattered
+//! (kernel) and transported (grid) into the next, and its source function integrated towards any μ0 gives,
+//! by reciprocity, R_n(μ0) and T_n(μ0) for all incidences at once. Chosen over the transform of totals at
+//! complex ω: no complex eigenproblem, all orders keep their relative size, and orders 0–2 cost next to
+//! nothing.
 //!
-//! Light that was scattered n times does not reach a depth of n + 12√n + 40 (Poisson tail below 1e-13): thicker slabs are cut there.
+//! Light that was scattered n times does not reach a depth of n + 12√n + 40 (Poisson tail below 1e-13):
+//! thicker slabs are cut there.
 
 use super::grid::{Collocation, Grid};
 use super::kernel::Kernel;
@@ -45,7 +47,7 @@ impl Orders {
     }
 
     pub(crate) fn view(&self, kernel: &Kernel, mu0: f64) -> View {
-        let (even, odd) = kernel.into_direction(mu0, &self.streams);
+        let (even, odd) = kernel.towards(mu0, &self.streams);
         View { mu0, even, odd }
     }
 

@@ -1,11 +1,12 @@
 //! Half-range streams, dense towards grazing, and the polynomials that go with them.
 //!
-//! Radiances leaving a slab have singularities at grazing (μ ln μ; e^{-τ/μ} in thin slabs). Streams are therefore polynomials in
-//! y = √μ: μ_i = y_i² with the Gauss rule of ∫₀¹f 2y dy = ∫₀¹f dμ, the points of the Radau rule in x = 2y - 1 without x = -1
-//! (zeros of P_n + P_{n+1}; Abramowitz & Stegun 25.4.31). Σw_i = 1; from the largest stream to the smallest, so that matrices in 1/μ are graded with their large
-//! elements last. φ_k(y), orthonormal on dμ, are Jacobi polynomials P_k^{(0,1)}(x) with
-//! xφ_k = b_{k+1}φ_{k+1} + a_kφ_k + b_kφ_{k-1}, a_k = 1/((2k+1)(2k+3)), b_k = √(k(k+1))/(2k+1). Q_ik = √w_i φ_k(y_i) is an orthogonal
-//! matrix: node values times √w to coefficients and back.
+//! Radiances leaving a slab have singularities at grazing (μ ln μ; e^{-τ/μ} in thin slabs). Streams are
+//! therefore polynomials in y = √μ: μ_i = y_i² with the Gauss rule of ∫₀¹f 2y dy = ∫₀¹f dμ, the points of
+//! the Radau rule in x = 2y - 1 without x = -1 (zeros of P_n + P_{n+1}; Abramowitz & Stegun 25.4.31). Σw_i
+//! = 1; from the largest stream to the smallest, so that matrices in 1/μ are graded with their large
+//! elements last. φ_k(y), orthonormal on dμ, are Jacobi polynomials P_k^{(0,1)}(x) with xφ_k =
+//! b_{k+1}φ_{k+1} + a_kφ_k + b_kφ_{k-1}, a_k = 1/((2k+1)(2k+3)), b_k = √(k(k+1))/(2k+1). Q_ik = √w_i
+//! φ_k(y_i) is an orthogonal matrix: node values times √w to coefficients and back.
 
 use super::matrix::{Matrix, dot};
 use std::f64::consts::PI;

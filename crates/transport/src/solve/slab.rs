@@ -1,11 +1,12 @@
 //! One slab under diffuse light, and by reciprocity under light from any direction.
 //!
-//! Uniform radiance 1 from above is half the sum of two problems: lit alike from both sides (S even about the middle)
-//! and lit with opposite signs (S odd). Each is one system of n equations, without growing exponentials; in a lossless medium the first
-//! has the exact solution 1, so R + T = 1 to rounding. By reciprocity the radiance that leaves towards μ0 is the plane albedo R(μ0),
-//! that which leaves below is T(μ0): one solution serves every μ0, no beam enters, and μ0 equal to a
-//! stream is nothing special. The radiance in direction μ0 is the integral of the source function along it
-//! (Chandrasekhar 1950, ch. 1 § 9), in closed form, of which μ0 → 0 is the value at the surface.
+//! Uniform radiance 1 from above is half the sum of two problems: lit alike from both sides (S even about
+//! the middle) and lit with opposite signs (S odd). Each is one system of n equations, without growing
+//! exponentials; in a lossless medium the first has the exact solution 1, so R + T = 1 to rounding. By
+//! reciprocity the radiance that leaves towards μ0 is the plane albedo R(μ0), that which leaves below is
+//! T(μ0): one solution serves every μ0, no beam enters, and μ0 equal to a stream is nothing special. The
+//! radiance in direction μ0 is the integral of the source function along it (Chandrasekhar 1950, ch. 1 §
+//! 9), in closed form, of which μ0 → 0 is the value at the surface.
 
 use super::matrix::Matrix;
 use super::modes::Modes;
@@ -102,7 +103,8 @@ impl<'a> Slab<'a> {
         (quarter(1.0), quarter(-1.0))
     }
 
-    /// Bidirectional reflection between streams: row i the radiance towards stream j of unit flux from stream i.
+    /// Bidirectional reflection between streams: row i the radiance towards stream j of unit flux from
+    /// stream i.
     #[cfg(test)]
     pub(crate) fn reflection(modes: &'a Modes, tau: f64) -> Matrix {
         let streams = &modes.streams;
@@ -125,7 +127,8 @@ fn slope(k: f64, tau: f64) -> (f64, f64) {
     if x < LINEAR { (x, 0.5 * tau) } else { (libm::tanh(x), libm::tanh(x) / k) }
 }
 
-/// ∫₀^τ f(t) e^{-t/μ} dt/μ of a mode's depth dependence, with x = t - τ/2 and both functions divided by cosh(kτ/2).
+/// ∫₀^τ f(t) e^{-t/μ} dt/μ of a mode's depth dependence, with x = t - τ/2 and both functions divided by
+/// cosh(kτ/2).
 struct Path {
     cosh: f64,
     /// Of sinh(kx)/k.

@@ -1,8 +1,9 @@
 //! Streams chosen for a tolerance: the ladder of stream counts is climbed until its rungs agree.
 //!
-//! The half-range rule converges algebraically (radiances have a μ ln μ at grazing), so the difference of two rungs
-//! bounds the error of the upper one. The error reported is that difference, or a quarter of the one before if that is larger
-//! (rungs may agree by chance), and what the neglected moments could add. A tolerance the last rung does not meet is an error that says what was reached.
+//! The half-range rule converges algebraically (radiances have a μ ln μ at grazing), so the difference of
+//! two rungs bounds the error of the upper one. The error reported is that difference, or a quarter of the
+//! one before if that is larger (rungs may agree by chance), and what the neglected moments could add. A
+//! tolerance the last rung does not meet is an error that says what was reached.
 
 use super::kernel::Kernel;
 use super::medium::SolveMedium;
@@ -66,7 +67,8 @@ impl Solver {
         Ok(Solved::new(self, (tau, incidence), vec![Order::Total], self.climb(rows)?))
     }
 
-    /// Orders 0…`max_order`, tail and total for every thickness and incidence; the tail is the total less the orders.
+    /// Orders 0…`max_order`, tail and total for every thickness and incidence; the tail is the total less
+    /// the orders.
     ///
     /// # Errors
     /// As for [`totals`](Self::totals), and [`TransportError::Domain`] for more than 60 orders.
@@ -116,9 +118,16 @@ impl Solver {
         Err(TransportError::Tolerance { wanted: self.tolerance, reached, streams })
     }
 
-    /// Estimated error of the last of three rungs. The step before counts too, lest two rungs agree by chance.
+    /// Estimated error of the last of three rungs. The step before counts too, lest two rungs agree by
+    /// chance.
     fn error(&self, first: f64, second: f64, third: f64) -> f64 {
-        (third - second).abs().max(0.25 * (second - first).abs()) + self.neglected + f64::EPSILON
+        let step = (third - second).abs().max(0.25 * (second - first).abs());
+        // A phase function that is no probability may break down: that is no answer.
+        if third.is_finite() && step.is_finite() {
+            step + self.neglected + f64::EPSILON
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// Orders with `count` streams, a list for each incidence and thickness inside it.
@@ -152,7 +161,7 @@ impl Solver {
                 Incidence::Diffuse => None,
                 Incidence::Beam(mu0) => {
                     let mu0 = mu0.get();
-                    let (sum, difference) = modes.into_direction(kernel, mu0);
+                    let (sum, difference) = modes.towards(kernel, mu0);
                     Some(Direction { mu0, sum, difference })
                 }
             })
