@@ -128,9 +128,16 @@ fn orders_sum_to_chandrasekhars_albedo() {
 fn orders_sum_to_absorbing_totals() {
     let (tau, omega) = ([0.3, 5.0], 0.6);
     let incidence = [beam(0.0), beam(0.2), beam(1.0), Incidence::Diffuse];
-    for (phase, tolerance) in [(hg(0.75), 1e-8), (hg(0.85), 1e-7)] {
-        let orders = solver(phase.clone(), 1.0, tolerance).orders(&tau, &incidence, 45).unwrap();
-        let totals = solver(phase, omega, tolerance).totals(&tau, &incidence).unwrap();
+    let powers =
+        |g: f64| -> Vec<f64> { std::iter::successors(Some(1.0), |p| Some(p * g)).take(300).collect() };
+    let c1 = common::published::coefficients("cloud-c1.csv");
+    for (chi, tolerance) in [(powers(0.75), 1e-8), (powers(0.85), 1e-7), (c1, 1e-7)] {
+        let [lossless, absorbing] = [1.0, omega].map(|omega| {
+            let omega = SingleScatteringAlbedo::new(omega).unwrap();
+            Solver::new(SolveMedium::from_moments(chi.clone(), omega).unwrap(), tolerance).unwrap()
+        });
+        let orders = lossless.orders(&tau, &incidence, 45).unwrap();
+        let totals = absorbing.totals(&tau, &incidence).unwrap();
         for (i, t) in (0..incidence.len()).flat_map(|i| [(i, 0), (i, 1)]) {
             let expected = pair(&totals, i, t, Order::Total);
             for (side, expected) in expected.into_iter().enumerate() {
