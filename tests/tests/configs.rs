@@ -21,6 +21,22 @@ fn every_config_loads() {
     }
 }
 
+/// What is accepted was made from the settings that stand in the config now.
+#[test]
+fn accepted_parameters_belong_to_their_config() {
+    for path in configs() {
+        let config = Config::load(&path).unwrap();
+        let accepted = accepted::read(&root().join("fit-configs").join(&config.codegen.accepted)).unwrap();
+        let provenance = stratiform_cli::pipeline::provenance(&config);
+        assert_eq!(
+            accepted.parameters.provenance,
+            provenance,
+            "{}: reproduce it and accept the result",
+            path.display()
+        );
+    }
+}
+
 #[test]
 fn emitted_text_is_fresh_and_valid() {
     for path in configs() {

@@ -45,7 +45,10 @@ fn all(folder: &Path) -> BTreeMap<String, Vec<u8>> {
 
 /// Files that hold wall times, or draw them.
 fn is_timed(name: &str) -> bool {
-    name == "manifest.json" || name.contains("convergence") || name == "report.html"
+    name == "manifest.json"
+        || name.contains("convergence")
+        || name.contains("quadrature")
+        || name == "report.html"
 }
 
 #[test]

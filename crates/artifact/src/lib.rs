@@ -14,6 +14,7 @@ mod optics;
 mod orders;
 mod parameters;
 mod provenance;
+mod quadrature;
 mod table;
 
 pub use atomic::{create_folder, read_text, write_atomic};
@@ -32,4 +33,5 @@ pub use parameters::{
     ParametersDocument, RowIncidence,
 };
 pub use provenance::Provenance;
-pub use table::{read_csv, to_csv, write_csv};
+pub use quadrature::QuadratureRow;
+pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};

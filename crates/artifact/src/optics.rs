@@ -23,7 +23,8 @@ pub struct ForwardFraction {
     pub value: f64,
 }
 
-/// The quadrature error reached, estimated by comparing the last two refinements.
+/// The error that the average over radii reached, estimated by comparing the last two refinements. It does not count the
+/// interpolation between the table's angles.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ReachedError {
@@ -33,7 +34,7 @@ pub struct ReachedError {
     pub asymmetry: f64,
     /// Absolute, in P_f.
     pub forward_fraction: f64,
-    /// Absolute, largest over the Legendre moments.
+    /// Absolute, largest over the Legendre moments χ_0 … χ_127.
     pub moments: f64,
     /// Relative, largest of P below 60°.
     pub phase_below_60_deg: f64,

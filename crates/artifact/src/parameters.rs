@@ -99,6 +99,24 @@ pub enum Flag {
     NotConverged,
 }
 
+impl std::fmt::Display for Flag {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Flag::CNotIdentifiable => "c-not-identifiable",
+            Flag::BOnBound => "b-on-bound",
+            Flag::COnBound => "c-on-bound",
+            Flag::KappaCOnBound => "kappa-c-on-bound",
+            Flag::TOnBound => "t-on-bound",
+            Flag::ROnBound => "r-on-bound",
+            Flag::BetaFixed => "beta-fixed",
+            Flag::NegativeT3Plus => "negative-t3-plus",
+            Flag::NegativeR3Plus => "negative-r3-plus",
+            Flag::OutsideUnitInterval => "outside-unit-interval",
+            Flag::NotConverged => "not-converged",
+        })
+    }
+}
+
 /// Model minus reference over the thickness grid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -176,6 +194,35 @@ pub struct ParametersDocument {
 impl ParametersDocument {
     /// The schema's name and version.
     pub const SCHEMA: &'static str = "stratiform/parameters/1";
+
+    /// The table in metres as rows of `parameters.csv`.
+    pub fn csv_rows(&self) -> Vec<ParametersCsvRow> {
+        self.metres.rows.iter().map(ParameterRow::csv).collect()
+    }
+}
+
+impl ParameterRow {
+    /// The flags' names, separated by spaces.
+    pub fn flag_names(&self) -> String {
+        self.flags.iter().map(Flag::to_string).collect::<Vec<_>>().join(" ")
+    }
+
+    fn csv(&self) -> ParametersCsvRow {
+        ParametersCsvRow {
+            theta_l_deg: self.theta_l_deg.to_string(),
+            b: self.b.value,
+            b_std_error: self.b.std_error,
+            c_per_m: self.c.value,
+            c_per_m_std_error: self.c.std_error,
+            kappa_c_per_m: self.kappa_c.value,
+            kappa_c_per_m_std_error: self.kappa_c.std_error,
+            t: self.t.value,
+            t_std_error: self.t.std_error,
+            r: self.r.value,
+            r_std_error: self.r.std_error,
+            flags: self.flag_names(),
+        }
+    }
 }
 
 /// A row of `parameters.csv`. What is not identifiable is empty.
@@ -194,4 +241,28 @@ pub struct ParametersCsvRow {
     pub r: Option<f64>,
     pub r_std_error: Option<f64>,
     pub flags: String,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn flags_are_written_as_they_are_serialised() {
+        for flag in [
+            Flag::CNotIdentifiable,
+            Flag::BOnBound,
+            Flag::COnBound,
+            Flag::KappaCOnBound,
+            Flag::TOnBound,
+            Flag::ROnBound,
+            Flag::BetaFixed,
+            Flag::NegativeT3Plus,
+            Flag::NegativeR3Plus,
+            Flag::OutsideUnitInterval,
+            Flag::NotConverged,
+        ] {
+            assert_eq!(serde_json::to_value(flag).unwrap(), flag.to_string());
+        }
+    }
 }

@@ -30,17 +30,35 @@ pub fn write_csv<T: Serialize>(path: &Path, rows: &[T]) -> Result<(), ArtifactEr
     atomic::write_atomic(path, to_csv(rows)?.as_bytes())
 }
 
-/// Reads rows with their line numbers left behind.
+/// Reads rows.
 ///
 /// # Errors
 /// [`ArtifactError::Io`], or [`ArtifactError::Format`] naming the line.
 pub fn read_csv<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>, ArtifactError> {
+    Ok(read_numbered_csv(path)?.into_iter().map(|(_, row)| row).collect())
+}
+
+/// Reads rows with the lines on which they stand, counted from 1.
+///
+/// # Errors
+/// As [`read_csv`].
+pub fn read_numbered_csv<T: DeserializeOwned>(path: &Path) -> Result<Vec<(u64, T)>, ArtifactError> {
     let text = atomic::read_text(path)?;
     let mut reader =
         csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-    let rows = reader.deserialize().collect::<Result<Vec<T>, _>>().map_err(|error| {
+    let fault = |error: csv::Error| {
         ArtifactError::format(path, error.position().map(csv::Position::line), error.to_string())
-    })?;
+    };
+    let headers = reader.headers().map_err(fault)?.clone();
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(fault)?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let row = record
+            .deserialize(Some(&headers))
+            .map_err(|error| ArtifactError::format(path, Some(line), error.to_string()))?;
+        rows.push((line, row));
+    }
     if rows.is_empty() {
         return Err(ArtifactError::format(path, None, "the table has no rows"));
     }

@@ -5,11 +5,14 @@
 
 use crate::CliError;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 use std::path::Path;
-use stratiform_artifact::{hash_of, read_text};
+use stratiform_artifact::read_text;
 use stratiform_fit::{FitConfig, FitError, RegressionBounds};
 use stratiform_optics::{OpticsConfig, OpticsError};
-use stratiform_quantities::{DomainError, ExtinctionConvention, Medium, Range, SingleScatteringAlbedo};
+use stratiform_quantities::{
+    DomainError, ExtinctionConvention, Medium, OpticalThickness, Range, SingleScatteringAlbedo,
+};
 
 /// The whole file.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -74,6 +77,8 @@ pub struct ConvergenceConfig {
     pub theta_l_deg: f64,
     /// Thicknesses of the curve, metres: the nearest of the fit's grid are taken.
     pub thickness_m: Vec<f64>,
+    /// Radii up to which the size average is refined for its own curve.
+    pub most_radii: u64,
     /// Photons of each point, plain tracer.
     pub plain_photons: Vec<u64>,
     /// Photons of each point, half-space tracer.
@@ -124,34 +129,99 @@ impl Config {
         Ok(config)
     }
 
-    /// Hash of every setting.
-    pub fn hash(&self) -> String {
-        hash_of(self)
+    /// Checks every number again, after settings were overridden.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] naming value and range.
+    pub fn check(&self) -> Result<(), CliError> {
+        self.validate().map_err(|fault| CliError::Input(fault.message))
     }
 
     fn validate(&self) -> Result<(), Fault> {
         self.optics.resolve()?;
         self.fit.check()?;
-        let counts = Range::closed(1.0, 9_007_199_254_740_992.0);
-        let count = |name: &str, value: u64| counts.check(name, value as f64).map(|_| ());
-        count("photons", self.transport.photons)?;
-        count("photons_between", self.transport.photons_between)?;
-        count("photons", self.regression.photons)?;
-        self.convergence.plain_photons.iter().try_for_each(|n| count("plain_photons", *n))?;
-        self.convergence.half_space_photons.iter().try_for_each(|n| count("half_space_photons", *n))?;
-        self.convergence
-            .thickness_m
-            .iter()
-            .try_for_each(|h| Range::above(0.0).check("convergence.thickness_m", *h).map(|_| ()))?;
-        Range::closed(0.0, 90.0).check("theta_l_deg", self.convergence.theta_l_deg)?;
-        Range::open(0.0, 1.0).check("false_alarm_rate", self.regression.false_alarm_rate)?;
-        self.regression.bounds.check()?;
-        if !self.optics.wavelengths_um.contains(&self.transport.wavelength_um) {
-            let nearest = self.optics.wavelengths_um.first().copied().unwrap_or(0.0);
-            let range = Range::closed(nearest, nearest);
-            range.check("wavelength_um", self.transport.wavelength_um)?;
-        }
+        self.transport.validate(&self.optics)?;
+        self.convergence.validate(&self.fit)?;
+        self.regression.validate(&self.transport)?;
+        let kappa = 1e6
+            * self.optics.number_density_per_cm3
+            * PI
+            * squared(self.optics.resolve()?.effective_radius() * 1e-6);
+        let tallest = Range::closed(0.0, OpticalThickness::RANGE.max / kappa);
+        tallest.check("fit.thickness_m.max", self.fit.thickness_m.max)?;
         Ok(())
+    }
+
+    /// Whether the fit's angles span what emitted code must cover.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] unless they run from 0 to 90.
+    pub fn check_span(&self) -> Result<(), CliError> {
+        match self.fit.theta_l_deg[..] {
+            [0.0, .., 90.0] => Ok(()),
+            _ => Err(CliError::Input(format!(
+                "fit.theta_l_deg = {:?} does not run from 0 to 90, which the emitted code must cover",
+                self.fit.theta_l_deg
+            ))),
+        }
+    }
+}
+
+fn squared(x: f64) -> f64 {
+    x * x
+}
+
+/// As many photons as a tracer takes.
+fn photons(key: &str, count: u64) -> Result<(), DomainError> {
+    stratiform_transport::PHOTONS.check(key, count as f64).map(|_| ())
+}
+
+impl TransportConfig {
+    fn validate(&self, optics: &OpticsConfig) -> Result<(), Fault> {
+        photons("transport.photons", self.photons)?;
+        photons("transport.photons_between", self.photons_between)?;
+        if optics.wavelengths_um.contains(&self.wavelength_um) {
+            return Ok(());
+        }
+        let message = format!(
+            "transport.wavelength_um = {} is none of optics.wavelengths_um = {:?}",
+            self.wavelength_um, optics.wavelengths_um
+        );
+        Err(Fault { key: Some("transport.wavelength_um".to_owned()), message })
+    }
+}
+
+impl ConvergenceConfig {
+    fn validate(&self, fit: &FitConfig) -> Result<(), Fault> {
+        self.plain_photons.iter().try_for_each(|n| photons("convergence.plain_photons", *n))?;
+        self.half_space_photons.iter().try_for_each(|n| photons("convergence.half_space_photons", *n))?;
+        let heights = Range::above(0.0);
+        self.thickness_m.iter().try_for_each(|h| heights.check("convergence.thickness_m", *h).map(|_| ()))?;
+        Range::closed(64.0, 1e6).check("convergence.most_radii", self.most_radii as f64)?;
+        if fit.theta_l_deg.contains(&self.theta_l_deg) {
+            return Ok(());
+        }
+        let message = format!(
+            "convergence.theta_l_deg = {} is none of fit.theta_l_deg = {:?}",
+            self.theta_l_deg, fit.theta_l_deg
+        );
+        Err(Fault { key: Some("convergence.theta_l_deg".to_owned()), message })
+    }
+}
+
+impl RegressionConfig {
+    fn validate(&self, transport: &TransportConfig) -> Result<(), Fault> {
+        photons("regression.photons", self.photons)?;
+        Range::open(0.0, 1.0).check("regression.false_alarm_rate", self.false_alarm_rate)?;
+        self.bounds.check()?;
+        if self.seed != transport.seed {
+            return Ok(());
+        }
+        let message = format!(
+            "regression.seed = {} is also the transport's: its photons would not be fresh",
+            self.seed
+        );
+        Err(Fault { key: Some("regression.seed".to_owned()), message })
     }
 }
 
@@ -189,14 +259,34 @@ fn line_of(text: &str, offset: usize) -> usize {
     text.as_bytes().iter().take(offset).filter(|byte| **byte == b'\n').count() + 1
 }
 
-/// The first line that assigns `key` (a dotted quantity's last part).
+/// The line that assigns a dotted key, e.g. `fit.thickness_m.min`: in the table that its front part names, or, for inline
+/// tables, on the line of that part; a key without front part on the first line that assigns it.
 fn key_line(text: &str, key: &str) -> Option<usize> {
-    let key = key.rsplit('.').next().unwrap_or(key);
-    text.lines()
-        .position(|line| {
-            line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
-        })
-        .map(|index| index + 1)
+    let parts: Vec<_> = key.split('.').collect();
+    let last = parts.len() - 1;
+    (0..=last).rev().find_map(|cut| {
+        let header = (cut > 0).then(|| parts[..cut].join("."));
+        assignment(text, header.as_deref(), parts[cut])
+    })
+}
+
+/// The first line `name = …`, below the line `[header]` and before the next header if one is asked for.
+fn assignment(text: &str, header: Option<&str>, name: &str) -> Option<usize> {
+    let mut inside = header.is_none();
+    for (index, line) in text.lines().enumerate() {
+        let line = line.trim_start();
+        match (line.strip_prefix('[').and_then(|rest| rest.split(']').next()), header) {
+            (Some(table), Some(header)) => {
+                inside =
+                    table.strip_suffix(header).is_some_and(|front| front.is_empty() || front.ends_with('.'));
+            }
+            _ if inside && line.strip_prefix(name).is_some_and(|rest| rest.trim_start().starts_with('=')) => {
+                return Some(index + 1);
+            }
+            _ => {}
+        }
+    }
+    None
 }
 
 #[cfg(test)]
@@ -204,10 +294,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lines_are_counted_from_one() {
-        let text = "a = 1\n[b]\n  photons = 0\n";
+    fn lines_are_counted_from_one_within_their_table() {
+        let text = "a = 1\n[b]\n  photons = 0\n[c]\nphotons = 2\nd = { min = 0 }\n";
         assert_eq!(key_line(text, "photons"), Some(3));
-        assert_eq!(key_line(text, "transport.photons"), Some(3));
+        assert_eq!(key_line(text, "c.photons"), Some(5));
+        assert_eq!(key_line(text, "c.d.min"), Some(6));
         assert_eq!(key_line(text, "photon"), None);
         assert_eq!(line_of(text, 7), 2);
     }

@@ -34,7 +34,7 @@ impl CliError {
         ExitCode::from(match self {
             Self::Input(_) => 2,
             Self::Failed(_) => 1,
-            Self::Interrupted => 130,
+            Self::Interrupted => crate::interrupt::INTERRUPTED,
         })
     }
 }

@@ -1,16 +1,48 @@
-//! Ctrl-C and termination signals set a flag that long work looks at between batches.
+//! Ctrl-C and termination signals.
+//!
+//! Work that looks at the flag between batches stops there and says so. Everything else, and a second signal, ends the
+//! process at once, which is safe: files are written whole or not at all.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
+static LOOKED_AT: AtomicBool = AtomicBool::new(false);
 
-/// Installs the handler. Without one (if another is installed already) the default applies, which ends the
-/// process at once: files are written atomically, so that is safe too.
+/// Exit code of a process that a signal ended, as shells expect.
+pub const INTERRUPTED: u8 = 130;
+
+/// Installs the handler. If another is installed already, that one applies.
 pub fn install() {
-    let _ = ctrlc::set_handler(|| REQUESTED.store(true, Ordering::Relaxed));
+    let _ = ctrlc::set_handler(|| {
+        if REQUESTED.swap(true, Ordering::Relaxed) || !LOOKED_AT.load(Ordering::Relaxed) {
+            end();
+        }
+    });
 }
 
-/// The flag.
-pub fn flag() -> &'static AtomicBool {
-    &REQUESTED
+#[expect(clippy::exit, reason = "nobody looks at the flag")]
+fn end() {
+    std::process::exit(i32::from(INTERRUPTED));
+}
+
+/// Says that the flag is looked at for as long as this lives.
+pub struct Watch(());
+
+/// Starts to look at the flag.
+pub fn watch() -> Watch {
+    LOOKED_AT.store(true, Ordering::Relaxed);
+    Watch(())
+}
+
+impl Watch {
+    /// The flag.
+    pub fn flag(&self) -> &'static AtomicBool {
+        &REQUESTED
+    }
+}
+
+impl Drop for Watch {
+    fn drop(&mut self) {
+        LOOKED_AT.store(false, Ordering::Relaxed);
+    }
 }

@@ -109,20 +109,35 @@ fn configs_with_a_fault_name_file_and_line() {
         ("gamma = 2.0", "gamma = -2.0", &["gamma = -2", "LINE"]),
         ("theta_f_deg = 5.0", "theta_f_deg = 95.0", &["theta_f_deg = 95", "LINE"]),
         ("theta_f_deg = 5.0", "theta_f_deg = nan", &["theta_f_deg = NaN", "LINE"]),
-        ("wavelength_um = 0.55", "wavelength_um = 0.56", &["wavelength_um = 0.56", "LINE"]),
-        ("photons = 1_000_000", "photons = 0", &["photons = 0"]),
+        (
+            "wavelength_um = 0.55",
+            "wavelength_um = 0.56",
+            &["wavelength_um = 0.56", "[0.65, 0.55, 0.45]", "LINE"],
+        ),
+        ("photons = 1_000_000", "photons = 1 #", &["transport.photons = 1", "[2, ", "LINE"]),
+        ("photons_between = 500_000", "photons_between = 1", &["photons_between = 1", "LINE"]),
+        ("photons = 300_000", "photons = 0 #", &["regression.photons = 0", "LINE"]),
+        ("seed = 1894", "seed = 2006 #", &["regression.seed = 2006", "LINE"]),
+        (
+            "[convergence]\ntheta_l_deg = 0.0",
+            "[convergence]\ntheta_l_deg = 5.0",
+            &["convergence.theta_l_deg = 5"],
+        ),
+        ("80.0, 90.0]", "80.0]", &["does not run from 0 to 90"]),
+        ("max = 1000.0", "max = 1e9", &["fit.thickness_m.max = 1000000000", "LINE"]),
+        ("plain_photons = [1_000", "plain_photons = [1", &["convergence.plain_photons = 1", "LINE"]),
         ("photons = 1_000_000", "photons = -5", &["LINE"]),
         ("\"paper\"", "\"papper\"", &["papper", "LINE"]),
         ("albedo = 1.0", "albedo = 1.5", &["1.5", "[0, 1]", "LINE"]),
         ("theta_l_deg = [0.0, 10.0", "theta_l_deg = [0.0, -10.0", &["theta_l_deg = -10", "LINE"]),
-        ("min = 1.0", "min = 0.0", &["min = 0"]),
+        ("min = 1.0", "min = 0.0", &["min = 0", "LINE"]),
         ("stratiform/config/1", "stratiform/config/9", &["stratiform/config/9", "LINE"]),
         ("[fit]", "[fitt]", &["fitt"]),
         ("[fit]", "[fit", &["LINE"]),
     ];
     for (from, to, says) in faults {
         let text = config(&[(from, to)]);
-        let line = text.lines().position(|line| line.contains(to)).unwrap() + 1;
+        let line = text.lines().position(|line| line.contains(to.lines().last().unwrap())).unwrap() + 1;
         fs::write(dir.path().join("c.toml"), text).unwrap();
         let place = format!("c.toml:{line}");
         let says: Vec<_> = says.iter().map(|part| if *part == "LINE" { &place } else { *part }).collect();

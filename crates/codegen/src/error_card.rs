@@ -20,6 +20,8 @@ pub struct ErrorCard {
     pub percentile_95: f64,
     /// Largest.
     pub worst: f64,
+    /// Largest standard error of the reference values: errors of this size say nothing about the table.
+    pub reference_error: f64,
 }
 
 /// Spread of `errors`, which need no order; nothing for none.
@@ -32,6 +34,7 @@ pub(crate) fn spread(quantity: &str, mut errors: Vec<f64>) -> Option<ErrorCard> 
         median: at(50)?,
         percentile_95: at(95)?,
         worst: at(100)?,
+        reference_error: 0.0,
     })
 }
 
@@ -86,9 +89,10 @@ pub(crate) fn cards(inputs: &Inputs, wanted: Place) -> Result<Vec<ErrorCard>, Co
     let mut cards = Vec::new();
     for quantity in QUANTITIES {
         let here = inputs.reference.iter().filter(|point| point.quantity == quantity);
-        let here = here.filter(|point| place(point.incidence, &nodes) == wanted);
-        let errors = here.map(|point| table.error(point)).collect::<Result<Vec<_>, _>>()?;
-        cards.extend(spread(quantity, errors));
+        let here: Vec<_> = here.filter(|point| place(point.incidence, &nodes) == wanted).collect();
+        let errors = here.iter().map(|point| table.error(point)).collect::<Result<Vec<_>, _>>()?;
+        let reference_error = here.iter().fold(0.0_f64, |worst, point| worst.max(point.std_error));
+        cards.extend(spread(quantity, errors).map(|card| ErrorCard { reference_error, ..card }));
     }
     Ok(cards)
 }

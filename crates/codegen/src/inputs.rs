@@ -40,6 +40,8 @@ pub struct ReferencePoint {
     pub quantity: String,
     /// The flux.
     pub value: f64,
+    /// Its standard error.
+    pub std_error: f64,
 }
 
 /// Everything that the emitted text depends on.
@@ -70,6 +72,9 @@ impl Inputs {
             [("full", &self.phase.full), ("modified", &self.phase.modified), ("squared", &self.phase.squared)]
         {
             check_phase(rows).map_err(|message| CodegenError::Phase { table, message })?;
+        }
+        for point in &self.reference {
+            Range::at_least(0.0).check("std_error", point.std_error)?;
         }
         match self.reference.iter().find(|point| !QUANTITIES.contains(&point.quantity.as_str())) {
             Some(point) => Err(CodegenError::UnknownQuantity { quantity: point.quantity.clone() }),

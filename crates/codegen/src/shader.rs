@@ -74,25 +74,20 @@ fn push_card(text: &mut String, title: &str, cards: &[ErrorCard]) {
     }
     let _ = writeln!(
         text,
-        "//\n// {title}, absolute:\n//   quantity    values     median        95 %       worst"
+        "//\n// {title}, absolute; sigma is the reference's own largest standard error:\n//   quantity    values     median        95 %       worst       sigma"
     );
     for card in cards {
-        let ErrorCard { quantity, count, median, percentile_95, worst } = card;
+        let ErrorCard { quantity, count, median, percentile_95, worst, reference_error } = card;
         let _ = writeln!(
             text,
-            "//   {quantity:<9} {count:>8} {median:>10.2e} {percentile_95:>11.2e} {worst:>11.2e}"
+            "//   {quantity:<9} {count:>8} {median:>10.2e} {percentile_95:>11.2e} {worst:>11.2e} {reference_error:>11.2e}"
         );
     }
 }
 
 fn push_flags(text: &mut String, inputs: &Inputs) {
     for row in inputs.parameters.optical.rows.iter().filter(|row| !row.flags.is_empty()) {
-        let _ = writeln!(
-            text,
-            "//\n// Row theta_l = {}: {}.",
-            row.theta_l_deg,
-            crate::tables::flag_names(&row.flags)
-        );
+        let _ = writeln!(text, "//\n// Row theta_l = {}: {}.", row.theta_l_deg, row.flag_names());
     }
 }
 

@@ -39,7 +39,7 @@ pub fn write(files: &BTreeMap<String, String>, folder: &Path) -> Result<(), Code
     Ok(())
 }
 
-/// The files in `folder` that differ from `files`, or cannot be read.
+/// The files in `folder` that differ from `files`, cannot be read, or are not generated.
 ///
 /// # Errors
 /// All of them, if there are any.
@@ -52,8 +52,18 @@ pub fn check(files: &BTreeMap<String, String>, folder: &Path) -> Result<(), Vec<
         };
         Some(Stale { file: name.clone(), diff })
     };
-    let all: Vec<_> = files.iter().filter_map(stale).collect();
+    let mut all: Vec<_> = files.iter().filter_map(stale).collect();
+    all.extend(left_over(files, folder));
     if all.is_empty() { Ok(()) } else { Err(all) }
+}
+
+/// Files in `folder` that nothing generates.
+fn left_over(files: &BTreeMap<String, String>, folder: &Path) -> Vec<Stale> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut names: Vec<_> = entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    names.sort_unstable();
+    let unknown = names.into_iter().filter(|name| !files.contains_key(name));
+    unknown.map(|file| Stale { file, diff: "it is not generated: delete it\n".to_owned() }).collect()
 }
 
 /// The lines between the common start and the common end: `-` what stands there, `+` what belongs there.

@@ -1,7 +1,7 @@
 //! The parameter tables: as model types, and as files.
 
 use crate::{CodegenError, Inputs};
-use stratiform_artifact::{Flag, ParameterRow, ParameterTable, ParametersCsvRow, to_csv, to_json};
+use stratiform_artifact::{ParameterRow, ParameterTable, to_csv, to_json};
 use stratiform_model::table::{Angle, ParameterGrid};
 use stratiform_model::{Parameters, Real, Values};
 use stratiform_quantities::Incidence;
@@ -59,34 +59,10 @@ pub fn diffuse_parameters<F: Real>(table: &ParameterTable) -> Result<Parameters<
     Ok(Parameters::new(&diffuse_values(table)?, Incidence::Diffuse)?)
 }
 
-/// The flags in the words of the artifact, separated by spaces.
-pub(crate) fn flag_names(flags: &[Flag]) -> String {
-    let name = |flag| serde_json::to_value(flag).ok().and_then(|value| value.as_str().map(str::to_owned));
-    flags.iter().filter_map(name).collect::<Vec<_>>().join(" ")
-}
-
-fn csv_row(row: &ParameterRow) -> ParametersCsvRow {
-    ParametersCsvRow {
-        theta_l_deg: row.theta_l_deg.to_string(),
-        b: row.b.value,
-        b_std_error: row.b.std_error,
-        c_per_m: row.c.value,
-        c_per_m_std_error: row.c.std_error,
-        kappa_c_per_m: row.kappa_c.value,
-        kappa_c_per_m_std_error: row.kappa_c.std_error,
-        t: row.t.value,
-        t_std_error: row.t.std_error,
-        r: row.r.value,
-        r_std_error: row.r.std_error,
-        flags: flag_names(&row.flags),
-    }
-}
-
 /// parameters.json and parameters.csv.
 pub(crate) fn files(inputs: &Inputs) -> Result<Vec<(String, String)>, CodegenError> {
-    let rows: Vec<_> = inputs.parameters.metres.rows.iter().map(csv_row).collect();
     Ok(vec![
         ("parameters.json".to_owned(), to_json(&inputs.parameters)?),
-        ("parameters.csv".to_owned(), to_csv(&rows)?),
+        ("parameters.csv".to_owned(), to_csv(&inputs.parameters.csv_rows())?),
     ])
 }

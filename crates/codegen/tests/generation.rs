@@ -65,6 +65,7 @@ fn points(parameters: &Parameters<f64>, incidence: Incidence, offset: f64) -> Ve
             tau,
             quantity: quantity.to_owned(),
             value: value + offset,
+            std_error: 1e-3,
         };
         fluxes.named().map(point)
     };

@@ -31,6 +31,17 @@ fn fresh_files_pass_and_changed_or_missing_ones_are_named() {
 }
 
 #[test]
+fn a_file_that_is_not_generated_is_named() {
+    let files = stratiform_codegen::generate(&common::inputs()).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    stratiform_codegen::write(&files, folder.path()).unwrap();
+    fs::write(folder.path().join("old.wgsl"), "").unwrap();
+    let stale = stratiform_codegen::check(&files, folder.path()).unwrap_err();
+    let [left_over] = &stale[..] else { panic!("{stale:?}") };
+    assert_eq!(left_over.file, "old.wgsl");
+}
+
+#[test]
 fn a_changed_parameter_makes_the_shader_and_its_self_test_stale() {
     let mut inputs = common::inputs();
     let folder = tempfile::tempdir().unwrap();

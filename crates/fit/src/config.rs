@@ -64,7 +64,7 @@ impl Default for ParameterBounds {
             c: [1e-4, 20.0],
             kappa_c: [1e-2, 20.0],
             t: [0.0, 1.0],
-            r: [0.0, 1.0],
+            r: [1e-6, 1.0],
         }
     }
 }
@@ -107,7 +107,7 @@ impl ParameterBounds {
             ("c", self.c, positive(1e3)),
             ("kappa_c", self.kappa_c, positive(1e3)),
             ("t", self.t, unit),
-            ("r", self.r, unit),
+            ("r", self.r, positive(1.0)),
         ];
         for (name, [lower, upper], range) in all {
             let key = format!("fit.bounds.{name}");

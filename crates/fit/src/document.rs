@@ -7,8 +7,7 @@ use crate::orders_fit::{OrdersFit, fit_orders};
 use crate::totals_fit::{TotalsRow, fit_totals};
 use crate::{FitConfig, FitError, ORDERS, Reference};
 use stratiform_artifact::{
-    FittedParameter, Flag, MediumRecord, Misfit, ParameterRow, ParameterTable, ParametersCsvRow,
-    ParametersDocument, Provenance,
+    FittedParameter, Flag, MediumRecord, Misfit, ParameterRow, ParameterTable, ParametersDocument, Provenance,
 };
 use stratiform_model::{Form, Parameters, Thickness, Values, problems};
 use stratiform_quantities::Range;
@@ -16,6 +15,10 @@ use stratiform_stats::Estimate;
 
 /// T_3+ and R_3+ below minus this are flagged.
 const NEGLIGIBLE_FLUX: f64 = 1e-3;
+
+/// Single-scattering albedos that the model can stand for: it has R_ms = 1 - T_ms. At the lower end diffuse light
+/// loses 2e-5 of its flux per unit of optical thickness.
+pub const ALBEDO: Range = Range::closed(0.99999, 1.0);
 
 /// Fits every row of the table: one per angle of the config, in its order, then, if there is one, the diffuse
 /// row.
@@ -55,7 +58,7 @@ pub fn fit(
 fn check_medium(medium: &MediumRecord) -> Result<(), FitError> {
     Range { min_included: false, ..Range::closed(0.0, 1e6) }
         .check("extinction_per_m", medium.extinction_per_m)?;
-    Range::closed(0.0, 1.0).check("single_scattering_albedo", medium.single_scattering_albedo)?;
+    ALBEDO.check("single_scattering_albedo", medium.single_scattering_albedo)?;
     Range { max_included: false, ..Range::closed(0.0, 1.0) }
         .check("forward_fraction", medium.forward_fraction)?;
     Ok(())
@@ -155,26 +158,4 @@ fn in_metres(optical: &ParameterTable, kappa: f64) -> ParameterTable {
         kappa_s: optical.kappa_s * kappa,
         rows: optical.rows.iter().map(convert).collect(),
     }
-}
-
-/// The table in metres as rows of `parameters.csv`.
-pub fn csv_rows(document: &ParametersDocument) -> Vec<ParametersCsvRow> {
-    let word = |flag: &Flag| {
-        serde_json::to_value(flag).ok().and_then(|v| v.as_str().map(str::to_owned)).unwrap_or_default()
-    };
-    let convert = |row: &ParameterRow| ParametersCsvRow {
-        theta_l_deg: row.theta_l_deg.to_string(),
-        b: row.b.value,
-        b_std_error: row.b.std_error,
-        c_per_m: row.c.value,
-        c_per_m_std_error: row.c.std_error,
-        kappa_c_per_m: row.kappa_c.value,
-        kappa_c_per_m_std_error: row.kappa_c.std_error,
-        t: row.t.value,
-        t_std_error: row.t.std_error,
-        r: row.r.value,
-        r_std_error: row.r.std_error,
-        flags: row.flags.iter().map(word).collect::<Vec<_>>().join(" "),
-    };
-    document.metres.rows.iter().map(convert).collect()
 }

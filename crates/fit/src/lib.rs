@@ -27,7 +27,7 @@ mod totals_fit;
 
 pub use compare::{Comparison, Deviation, compare};
 pub use config::{FitConfig, ParameterBounds, ThicknessGrid};
-pub use document::{csv_rows, fit};
+pub use document::{ALBEDO, fit};
 pub use error::FitError;
 pub use matrix::Matrix;
 pub use reference::{ORDERS, Reference};

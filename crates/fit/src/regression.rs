@@ -1,6 +1,6 @@
 //! Whether a table still agrees with fresh reference fluxes: the gate that a table's users put into their tests.
 //!
-//! Two comparisons, each within a bound plus z standard errors of the fresh fluxes, where z keeps the probability that any of
+//! Two comparisons, each within a bound plus z standard errors of the difference, where z keeps the probability that any of
 //! all N comparisons fails a correct table at the false-alarm rate (see [`family_threshold`]):
 //!
 //! * **fluxes** T_ms, T_1, T_2, R_1, R_2 of the table against the fresh ones at every thickness, bounded absolutely. The model is

@@ -3,7 +3,7 @@
 mod support;
 
 use stratiform_artifact::{Flag, ParametersDocument, RowIncidence, read_json, to_csv, write_json};
-use stratiform_fit::{FitError, csv_rows};
+use stratiform_fit::FitError;
 use support::{ANGLES, KAPPA, config, incidences, reference, references, run, truth, truths};
 
 fn emitted(document: &ParametersDocument) -> Vec<[f64; 5]> {
@@ -58,7 +58,7 @@ fn c_without_influence_is_left_empty() {
     }
     references[3].t_ms_covariance.iter_mut().for_each(|c| *c *= 1e5);
     let document = run(&config(&angles), &references).unwrap();
-    let table = csv_rows(&document);
+    let table = document.csv_rows();
     for (row, line) in document.optical.rows.iter().zip(&table).take(5) {
         let empty = matches!(row.theta_l_deg.degrees(), Some(44.0 | 46.0));
         assert_eq!(row.c.value.is_none(), empty, "{row:?}");

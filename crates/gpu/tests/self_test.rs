@@ -83,6 +83,22 @@ fn the_shader_reproduces_the_model() {
     assert!(worst.iter().all(|error| error.0 < ABSOLUTE && error.1 < RELATIVE), "{worst:?}");
 }
 
+/// The committed text of the paper's cloud, as a user pastes it in.
+#[test]
+fn the_committed_shader_reproduces_the_model() {
+    let Some(gpu) = device::device() else { return };
+    let folder =
+        std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/generated"));
+    let read = |name: &str| (name.to_owned(), std::fs::read_to_string(folder.join(name)).unwrap());
+    let files = ["stratiform.wgsl", "stratiform_self_test.wgsl", "self_test.json"].map(read).into();
+    let test: SelfTest =
+        serde_json::from_str(&std::fs::read_to_string(folder.join("self_test.json")).unwrap()).unwrap();
+    let module = self_test_module(&files).unwrap();
+    let worst = errors(&test, &execute(&gpu, &module, &test));
+    report(&gpu, &worst);
+    assert!(worst.iter().all(|error| error.0 < ABSOLUTE && error.1 < RELATIVE), "{worst:?}");
+}
+
 /// A slip of the size of a rounded constant is seen.
 #[test]
 fn a_planted_slip_in_the_shader_is_seen() {

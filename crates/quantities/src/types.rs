@@ -20,7 +20,8 @@ macro_rules! quantity {
             /// # Errors
             /// [`DomainError`] if it is not finite or outside [`Self::RANGE`].
             pub fn new(value: f64) -> Result<Self, DomainError> {
-                Self::RANGE.check($label, value).map(Self)
+                // Adding zero makes -0 and 0 one value, in text and in hashes too.
+                Self::RANGE.check($label, value).map(|value| Self(value + 0.0))
             }
 
             /// The number.

@@ -5,7 +5,7 @@ use crate::{ReportError, input::PhaseRow};
 use std::path::Path;
 use stratiform_artifact::{
     ArtifactError, ConvergenceRow, CurvesRow, OpticsDocument, OrdersRow, ParametersDocument, PublishedRow,
-    read_json,
+    QuadratureRow, read_json,
 };
 use stratiform_quantities::{Order, Range};
 
@@ -132,6 +132,26 @@ pub fn convergence(path: &Path, rows: &[ConvergenceRow]) -> Result<(), ReportErr
                 ("seconds", row.seconds, NOT_NEGATIVE),
                 ("error", row.error, NOT_NEGATIVE),
                 ("std_error", row.std_error, NOT_NEGATIVE),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
+pub fn quadrature(path: &Path, rows: &[QuadratureRow]) -> Result<(), ReportError> {
+    for (i, row) in rows.iter().enumerate() {
+        columns(
+            path,
+            Some(i),
+            &[
+                ("wavelength_um", row.wavelength_um, POSITIVE),
+                ("radii", row.radii as f64, POSITIVE),
+                ("seconds", row.seconds, NOT_NEGATIVE),
+                ("asymmetry", row.asymmetry, NOT_NEGATIVE),
+                ("forward_fraction", row.forward_fraction, NOT_NEGATIVE),
+                ("moments", row.moments, NOT_NEGATIVE),
+                ("phase_below_60_deg", row.phase_below_60_deg, NOT_NEGATIVE),
+                ("phase_beyond_60_deg", row.phase_beyond_60_deg, NOT_NEGATIVE),
             ],
         )?;
     }

@@ -61,6 +61,7 @@ fn figures_are_well_formed_labelled_and_complete() {
         "orders-theta-80.svg",
         "parameters.svg",
         "phase-functions.svg",
+        "quadrature.svg",
     ];
     assert_eq!(names, expected);
     for (name, svg) in &figures {
@@ -68,6 +69,7 @@ fn figures_are_well_formed_labelled_and_complete() {
     }
     for (name, label) in [
         ("convergence.svg", "wall time (s)"),
+        ("quadrature.svg", "estimated error"),
         ("droplet-sizes.svg", "number density N(r) (cm−3 µm−1)"),
         ("misfit.svg", "misfit (per incident flux)"),
         ("orders-theta-0.svg", "thickness H (m)"),

@@ -109,12 +109,26 @@ fn building_again_replaces_the_report() {
 
 #[test]
 fn optional_files_may_be_absent_and_the_page_says_so() {
-    for file in ["optics/sphere.csv", "convergence.csv", "published.csv", "curves.csv", "notes.json"] {
+    for file in [
+        "optics/sphere.csv",
+        "convergence.csv",
+        "optics/quadrature.csv",
+        "published.csv",
+        "curves.csv",
+        "notes.json",
+    ] {
         let (page, left_out) = page(|dir| std::fs::remove_file(dir.join(file)).unwrap());
         assert_eq!(left_out.iter().map(|item| item.file).collect::<Vec<_>>(), [file]);
         assert!(page.contains(&format!("no file <code>{file}</code>")), "{file}");
     }
-    let all = ["optics/sphere.csv", "convergence.csv", "published.csv", "curves.csv", "notes.json"];
+    let all = [
+        "optics/sphere.csv",
+        "convergence.csv",
+        "optics/quadrature.csv",
+        "published.csv",
+        "curves.csv",
+        "notes.json",
+    ];
     let (page, left_out) = page(|dir| all.iter().for_each(|f| std::fs::remove_file(dir.join(f)).unwrap()));
     assert_eq!(left_out.len(), all.len());
     assert!(!page.contains("class=\"published\""));

@@ -23,18 +23,6 @@ impl Estimate {
         let value = if trials == 0 { 0.0 } else { k / n };
         Self { value, std_error: (p * (1.0 - p) / (n + 3.0)).sqrt() }
     }
-
-    /// Mean and standard error of independent replicates of equal weight. Fewer than two have no error:
-    /// `None`.
-    pub fn from_replicates(values: &[f64]) -> Option<Self> {
-        let n = values.len() as f64;
-        if values.len() < 2 {
-            return None;
-        }
-        let mean = values.iter().fold(0.0, |sum, v| sum + v) / n;
-        let square = values.iter().fold(0.0, |sum, v| sum + (v - mean) * (v - mean));
-        Some(Self { value: mean, std_error: (square / (n - 1.0) / n).sqrt() })
-    }
 }
 
 #[cfg(test)]
@@ -54,13 +42,5 @@ mod tests {
             let e = Estimate::from_hits(hits, 1_000_000);
             assert!(e.std_error > 0.9e-6 && e.std_error < 1.1e-6, "{e:?}");
         }
-    }
-
-    #[test]
-    fn replicates_of_known_spread() {
-        let e = Estimate::from_replicates(&[1.0, 2.0, 3.0, 4.0]).unwrap();
-        assert_eq!(e.value, 2.5);
-        assert!((e.std_error - (5.0_f64 / 3.0 / 4.0).sqrt()).abs() < 1e-15);
-        assert!(Estimate::from_replicates(&[1.0]).is_none());
     }
 }

@@ -9,9 +9,9 @@ use rand_pcg::Pcg32;
 /// What a stream is drawn for. Different purposes never share numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Purpose {
-    /// The one-slab three-dimensional tracer.
-    PlainTracer,
-    /// The half-space tracer; the number tells media and incidences of one run apart.
+    /// The one-slab three-dimensional tracer; the number tells media and incidences of one run apart.
+    PlainTracer(u32),
+    /// The half-space tracer; its number likewise.
     HalfSpaceTracer(u32),
     /// Random inputs of tests and calibrations.
     Calibration,
@@ -20,7 +20,7 @@ pub enum Purpose {
 impl Purpose {
     fn code(self) -> u64 {
         match self {
-            Purpose::PlainTracer => 1 << 32,
+            Purpose::PlainTracer(which) => (1 << 32) | u64::from(which),
             Purpose::HalfSpaceTracer(which) => (2 << 32) | u64::from(which),
             Purpose::Calibration => 3 << 32,
         }
@@ -85,9 +85,9 @@ mod tests {
     #[test]
     fn purposes_and_seeds_differ() {
         let first = |seed, purpose| photon_stream(key(seed, purpose), 0).next_u32();
-        let a = first(1, Purpose::PlainTracer);
-        assert_eq!(a, first(1, Purpose::PlainTracer));
-        assert_ne!(a, first(2, Purpose::PlainTracer));
+        let a = first(1, Purpose::PlainTracer(0));
+        assert_eq!(a, first(1, Purpose::PlainTracer(0)));
+        assert_ne!(a, first(2, Purpose::PlainTracer(0)));
         assert_ne!(a, first(1, Purpose::HalfSpaceTracer(0)));
     }
 }

@@ -26,6 +26,6 @@ pub use error::TransportError;
 pub use half_space::trace_half_space;
 pub use medium::TraceMedium;
 pub use plain::trace_plain;
-pub use request::{MAX_ROWS, Stop, TraceRequest};
+pub use request::{MAX_ROWS, PHOTONS, Stop, TraceRequest};
 pub use tally::Quantity;
 pub use traced::Traced;

@@ -1,5 +1,6 @@
 //! The reference tracer: three-dimensional positions and directions, one slab at a time, the phase
-//! function's own inversion, library functions. It shares nothing with the fast tracer but the request.
+//! function's own inversion, library functions. It shares run control, tallies and the generator with
+//! the fast tracer, but no sampling and no geometry.
 
 use crate::run::{Estimator, run};
 use crate::tally::Tally;
@@ -45,7 +46,7 @@ impl<'a> Plain<'a> {
             medium,
             bottoms: tau.iter().map(|tau| tau * medium.extinction()).collect(),
             incidence: request.incidence,
-            key: key(request.seed ^ u64::from(request.stream), Purpose::PlainTracer),
+            key: key(request.seed, Purpose::PlainTracer(request.stream)),
         }
     }
 

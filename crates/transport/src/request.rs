@@ -6,7 +6,8 @@ use stratiform_quantities::{Incidence, OpticalThickness, Range};
 /// Largest number of thicknesses times orders (0…N and the tail) in one trace.
 pub const MAX_ROWS: usize = 1 << 16;
 
-const PHOTONS: Range = Range::closed(2.0, 281_474_976_710_656.0);
+/// Photons of one trace: two at least, so that their scatter is known.
+pub const PHOTONS: Range = Range::closed(2.0, 281_474_976_710_656.0);
 
 /// When enough photons are traced.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,77 +2,77 @@
 // Fluxes of a stratiform layer: the one-dimensional model of Bouthors et al. 2006.
 //
 // Program    stratiform 0.1.0
-// Inputs     11cabdeec7d5daaad6ff04e76ab5bfb2
-// Config     6b23cf58bee76b4c8c3859e3df183896
+// Inputs     0e30bc3cf925c7beca964b7a439b6162
+// Config     22bc4a029f2bb74266f9296c25607e3c
 // Seed       2006
 // Method     half-space Monte Carlo; least squares on a fixed grid; std_error propagated from the photons' covariance
 //
 // Units      tau is the extinction optical thickness of the full medium along the slab's normal, tau = kappa H.
 //            mu_l = cos(theta_l), the sun's zenith angle. Fluxes are shares of the flux incident on the slab.
 // Phase      1/2 integral of P over cosTheta is 1; cosTheta = +1 is forward.
-// Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8535; modified: theta_f 5 deg, P_f 0.4547.
+// Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
 // Domain     mu_l in [0, 1], tau in [0, 1e6]; fitted over tau 0.0462 to 46.1814. Nothing is checked or clamped here.
 //            three_plus are differences and may fall below 0; theta_l = 90 deg is beyond the model's form.
 //
-// Error against the reference at the table's angles up to 80 deg, absolute:
-//   quantity    values     median        95 %       worst
-//   t_ms           180    1.02e-3     8.14e-3     1.42e-2
-//   r_ms           180    1.02e-3     8.14e-3     1.42e-2
-//   t_0            180    7.92e-5     5.24e-4     9.28e-4
-//   t_1            180    1.34e-3     1.24e-2     2.01e-2
-//   t_2            180    2.26e-3     1.07e-2     4.16e-2
-//   t_3_plus       180    2.59e-3     2.39e-2     5.89e-2
-//   r_1            180    1.69e-3     7.92e-3     1.40e-2
-//   r_2            180    3.05e-3     1.14e-2     1.41e-2
-//   r_3_plus       180    2.24e-3     1.50e-2     1.96e-2
+// Error against the reference at the table's angles up to 80 deg, absolute; sigma is the reference's own largest standard error:
+//   quantity    values     median        95 %       worst       sigma
+//   t_ms           180    1.02e-3     8.14e-3     1.42e-2     5.00e-4
+//   r_ms           180    1.02e-3     8.14e-3     1.42e-2     5.00e-4
+//   t_0            180    7.92e-5     5.23e-4     9.27e-4     5.00e-4
+//   t_1            180    1.35e-3     1.24e-2     2.01e-2     4.61e-4
+//   t_2            180    2.26e-3     1.07e-2     4.16e-2     3.87e-4
+//   t_3_plus       180    2.59e-3     2.39e-2     5.89e-2     5.00e-4
+//   r_1            180    1.70e-3     7.93e-3     1.40e-2     3.79e-4
+//   r_2            180    3.04e-3     1.14e-2     1.41e-2     3.24e-4
+//   r_3_plus       180    2.21e-3     1.50e-2     1.96e-2     5.00e-4
 //
-// Error against the reference between the table's angles up to 80 deg, absolute:
-//   quantity    values     median        95 %       worst
-//   t_ms           160    1.39e-3     6.73e-3     1.07e-2
-//   r_ms           160    1.39e-3     6.73e-3     1.07e-2
-//   t_0            160    4.51e-4     1.87e-3     2.24e-3
-//   t_1            160    1.68e-3     9.27e-3     1.55e-2
-//   t_2            160    2.42e-3     1.06e-2     2.93e-2
-//   t_3_plus       160    2.66e-3     1.80e-2     3.87e-2
-//   r_1            160    1.33e-3     8.83e-3     8.84e-3
-//   r_2            160    3.00e-3     1.08e-2     1.55e-2
-//   r_3_plus       160    2.65e-3     1.32e-2     1.79e-2
+// Error against the reference between the table's angles up to 80 deg, absolute; sigma is the reference's own largest standard error:
+//   quantity    values     median        95 %       worst       sigma
+//   t_ms           160    1.16e-3     6.98e-3     1.12e-2     7.07e-4
+//   r_ms           160    1.16e-3     6.98e-3     1.12e-2     7.07e-4
+//   t_0            160    1.50e-4     9.23e-4     1.71e-3     7.07e-4
+//   t_1            160    1.29e-3     9.42e-3     1.52e-2     6.52e-4
+//   t_2            160    2.41e-3     1.01e-2     3.05e-2     5.47e-4
+//   t_3_plus       160    2.40e-3     1.82e-2     4.02e-2     7.07e-4
+//   r_1            160    1.63e-3     8.14e-3     8.16e-3     4.59e-4
+//   r_2            160    2.85e-3     1.08e-2     1.50e-2     4.27e-4
+//   r_3_plus       160    2.22e-3     1.25e-2     1.79e-2     7.07e-4
 //
-// Error against the reference beyond 80 deg, where the model's form fails, absolute:
-//   quantity    values     median        95 %       worst
-//   t_ms            40    1.59e-2     7.17e-2     1.74e-1
-//   r_ms            40    1.59e-2     7.17e-2     1.74e-1
-//   t_0             40     0.00e0     1.60e-3     2.88e-3
-//   t_1             40    4.57e-2     2.59e-1     3.32e-1
-//   t_2             40    1.94e-2     9.12e-2     1.14e-1
-//   t_3_plus        40    5.39e-2     1.40e-1     4.08e-1
-//   r_1             40    1.68e-2     6.49e-2     1.87e-1
-//   r_2             40    1.12e-2     6.04e-2     6.38e-2
-//   r_3_plus        40    3.82e-2     1.00e-1     1.07e-1
+// Error against the reference beyond 80 deg, where the model's form fails, absolute; sigma is the reference's own largest standard error:
+//   quantity    values     median        95 %       worst       sigma
+//   t_ms            40    1.52e-2     7.23e-2     1.74e-1     7.07e-4
+//   r_ms            40    1.52e-2     7.23e-2     1.74e-1     7.07e-4
+//   t_0             40     0.00e0     6.78e-4     8.32e-4     7.04e-4
+//   t_1             40    4.57e-2     2.59e-1     3.32e-1     6.47e-4
+//   t_2             40    1.94e-2     9.12e-2     1.14e-1     5.08e-4
+//   t_3_plus        40    5.38e-2     1.40e-1     4.08e-1     6.38e-4
+//   r_1             40    1.79e-2     6.50e-2     1.87e-1     6.29e-4
+//   r_2             40    1.23e-2     6.05e-2     6.38e-2     4.78e-4
+//   r_3_plus        40    3.84e-2     1.00e-1     1.07e-1     7.07e-4
 //
-// Error against the reference in diffuse light, absolute:
-//   quantity    values     median        95 %       worst
-//   t_ms            20    1.09e-3     2.62e-3     3.01e-3
-//   r_ms            20    1.09e-3     2.62e-3     3.01e-3
-//   t_0             20    3.27e-4     7.24e-4     7.30e-4
-//   t_1             20    7.72e-3     1.85e-2     1.91e-2
-//   t_2             20    4.79e-3     1.52e-2     1.52e-2
-//   t_3_plus        20    1.02e-2     2.54e-2     3.50e-2
-//   r_1             20    5.22e-3     6.56e-3     6.83e-3
-//   r_2             20    3.02e-3     1.16e-2     1.19e-2
-//   r_3_plus        20    3.78e-3     1.66e-2     1.66e-2
+// Error against the reference in diffuse light, absolute; sigma is the reference's own largest standard error:
+//   quantity    values     median        95 %       worst       sigma
+//   t_ms            20    1.09e-3     2.62e-3     3.01e-3     4.99e-4
+//   r_ms            20    1.09e-3     2.62e-3     3.01e-3     4.99e-4
+//   t_0             20    3.27e-4     7.24e-4     7.29e-4     4.99e-4
+//   t_1             20    7.72e-3     1.85e-2     1.91e-2     4.46e-4
+//   t_2             20    4.78e-3     1.52e-2     1.52e-2     3.67e-4
+//   t_3_plus        20    1.02e-2     2.54e-2     3.50e-2     4.99e-4
+//   r_1             20    5.21e-3     6.57e-3     6.84e-3     2.24e-4
+//   r_2             20    3.00e-3     1.16e-2     1.19e-2     2.16e-4
+//   r_3_plus        20    3.78e-3     1.66e-2     1.66e-2     4.99e-4
 //
-// Interpolation error with every other gap doubled (a row left out at a time), absolute:
-//   quantity    values     median        95 %       worst
-//   t_ms           184    1.57e-3     2.00e-2     4.99e-2
-//   r_ms           184    1.57e-3     2.00e-2     4.99e-2
-//   t_0            184     0.00e0      0.00e0      0.00e0
-//   t_1            184    9.24e-5     2.28e-2     8.89e-2
-//   t_2            184    2.67e-5     6.75e-3     8.63e-2
-//   t_3_plus       184    1.68e-3     4.25e-2     1.49e-1
-//   r_1            184    3.64e-4     1.30e-2     1.30e-2
-//   r_2            184    2.16e-4     4.65e-2     4.65e-2
-//   r_3_plus       184    1.53e-3     7.95e-2     1.09e-1
+// Interpolation error with every other gap doubled (a row left out at a time), absolute; sigma is the reference's own largest standard error:
+//   quantity    values     median        95 %       worst       sigma
+//   t_ms           184    1.57e-3     2.00e-2     4.99e-2      0.00e0
+//   r_ms           184    1.57e-3     2.00e-2     4.99e-2      0.00e0
+//   t_0            184     0.00e0      0.00e0      0.00e0      0.00e0
+//   t_1            184    9.21e-5     2.28e-2     8.89e-2      0.00e0
+//   t_2            184    2.67e-5     6.75e-3     8.63e-2      0.00e0
+//   t_3_plus       184    1.68e-3     4.25e-2     1.49e-1      0.00e0
+//   r_1            184    3.48e-4     1.29e-2     1.29e-2      0.00e0
+//   r_2            184    2.19e-4     4.65e-2     4.65e-2      0.00e0
+//   r_3_plus       184    1.53e-3     7.95e-2     1.09e-1      0.00e0
 //
 // Row theta_l = 50: c-not-identifiable.
 //
@@ -82,20 +82,20 @@
 //
 // Self-test (all vectors in self_test.json): mu_l, tau -> t_ms, r_ms, t_0, t_1, t_2, t_3_plus, r_1, r_2, r_3_plus
 //   1, 0 -> 1.0000000e0, 0.0000000e0, 1.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0
-//   0.9396926164627075, 0.10000000149011612 -> 9.9517606e-1, 4.8239390e-3, 9.4362521e-1, 4.9561746e-2, 1.3158856e-3, 6.7322408e-4, 3.7967216e-3, 1.9624868e-4, 8.3096867e-4
-//   0.7660444378852844, 200 -> 4.6351060e-2, 9.5364894e-1, 1.4931472e-62, 2.1807392e-64, 1.3533468e-62, 4.6351060e-2, 3.7226681e-2, 3.0515484e-2, 8.8590678e-1
-//   0.3420201539993286, 0.00009999999747378752 -> 9.9996323e-1, 3.6773815e-5, 9.9984059e-1, 1.1154178e-4, 6.5806181e-9, 1.1090837e-5, 2.6793259e-5, 2.9888489e-9, 9.9775669e-6
-//   0, 8 -> 1.4111357e-1, 8.5888643e-1, 0.0000000e0, 2.3909899e-36, 3.1728968e-35, 1.4111357e-1, 5.0000000e-1, 1.3407662e-1, 2.2480982e-1
-//   0.9028590321540833, 0.00000000999999993922529 -> 1.0000000e0, 5.2297895e-10, 9.9999999e-1, 5.4547463e-9, 1.4969445e-17, 6.1623842e-11, 4.2968982e-10, 2.3438489e-18, 9.3289130e-11
-//   0.704416036605835, 0.5 -> 9.4959608e-1, 5.0403920e-2, 6.7906696e-1, 2.2054510e-1, 3.6781223e-2, 1.3202802e-2, 2.2565639e-2, 6.4693000e-3, 2.1368982e-2
-//   0.4210100769996643, 10000 -> 7.0510677e-4, 9.9929489e-1, 0.0000000e0, 0.0000000e0, 0.0000000e0, 7.0510677e-4, 7.4239008e-2, 5.9012385e-2, 8.6604350e-1
-//   0.0010000000474974513, 0.009999999776482582 -> 8.7186705e-1, 1.2813295e-1, 4.2848037e-3, 2.5429041e-2, 4.8220882e-3, 8.3733112e-1, 9.2967470e-2, 2.5325142e-3, 3.2632962e-2
-//   0.10000000149011612, 40 -> 8.0733286e-2, 9.1926671e-1, 1.8933540e-95, 2.7551516e-56, 1.0153523e-54, 8.0733286e-2, 2.3708626e-1, 1.3143284e-1, 5.5074762e-1
+//   0.9396926164627075, 0.10000000149011612 -> 9.9517082e-1, 4.8291800e-3, 9.4362363e-1, 4.9556584e-2, 1.3156346e-3, 6.7497149e-4, 3.8016273e-3, 1.9648204e-4, 8.3107069e-4
+//   0.7660444378852844, 200 -> 4.6323073e-2, 9.5367693e-1, 1.4870442e-62, 2.1677894e-64, 1.3452122e-62, 4.6323073e-2, 3.7267479e-2, 3.0545508e-2, 8.8586394e-1
+//   0.3420201539993286, 0.00009999999747378752 -> 9.9996321e-1, 3.6785709e-5, 9.9984058e-1, 1.1153432e-4, 6.5801248e-9, 1.1090983e-5, 2.6805878e-5, 2.9900567e-9, 9.9768408e-6
+//   0, 8 -> 1.4107464e-1, 8.5892536e-1, 0.0000000e0, 2.3961761e-36, 3.1798512e-35, 1.4107464e-1, 5.0000000e-1, 1.3408485e-1, 2.2484051e-1
+//   0.9028590321540833, 0.00000000999999993922529 -> 1.0000000e0, 5.2359157e-10, 9.9999999e-1, 5.4542143e-9, 1.4966767e-17, 6.1717009e-11, 4.3021016e-10, 2.3464584e-18, 9.3381405e-11
+//   0.704416036605835, 0.5 -> 9.4956505e-1, 5.0434948e-2, 6.7905939e-1, 2.2052610e-1, 3.6775968e-2, 1.3203595e-2, 2.2587070e-2, 6.4749420e-3, 2.1372936e-2
+//   0.4210100769996643, 10000 -> 7.0466708e-4, 9.9929533e-1, 0.0000000e0, 0.0000000e0, 0.0000000e0, 7.0466708e-4, 7.4281789e-2, 5.9041304e-2, 8.6597224e-1
+//   0.0010000000474974513, 0.009999999776482582 -> 8.7186563e-1, 1.2813437e-1, 4.2841315e-3, 2.5429979e-2, 4.8219414e-3, 8.3732958e-1, 9.2965710e-2, 2.5325554e-3, 3.2636103e-2
+//   0.10000000149011612, 40 -> 8.0694808e-2, 9.1930519e-1, 1.8815103e-95, 2.7604558e-56, 1.0172377e-54, 8.0694808e-2, 2.3712363e-1, 1.3144626e-1, 5.5073530e-1
 
 // (1 - beta) / beta: T_ms = (b + (1 - b) exp(-c tau)) / (1 + slope tau).
-const STRATIFORM_SLOPE: f32 = 0.107522555;
+const STRATIFORM_SLOPE: f32 = 0.107588746;
 // Extinction of the modified medium per unit of tau.
-const STRATIFORM_KAPPA_S: f32 = 0.5452681;
+const STRATIFORM_KAPPA_S: f32 = 0.5452838;
 // Extinction per metre of the fitted cloud by the convention `paper`.
 const STRATIFORM_EXTINCTION_PER_M: f32 = 0.04618141;
 
@@ -117,16 +117,16 @@ struct StratiformParameters {
 // The table's row i: every angle in rising theta_l.
 fn stratiform_node(i: u32) -> StratiformParameters {
     switch i {
-        case 0u: { return StratiformParameters(1.2326045, 0.29086596, 0.600316, 0.8365792, 0.06198662); }
-        case 1u: { return StratiformParameters(1.2215621, 0.29512253, 0.60901916, 0.83673537, 0.062114015); }
-        case 2u: { return StratiformParameters(1.1831646, 0.32608825, 0.63368875, 0.83328074, 0.063791506); }
-        case 3u: { return StratiformParameters(1.119798, 0.41333488, 0.68071365, 0.82883954, 0.06722987); }
-        case 4u: { return StratiformParameters(1.0431079, 0.81075674, 0.7570348, 0.8197208, 0.07445336); }
-        case 5u: { return StratiformParameters(0.9611891, 0.643282, 0.8756598, 0.81074953, 0.08920517); }
-        case 6u: { return StratiformParameters(0.8246775, 0.49202722, 1.0690845, 0.7992628, 0.121893786); }
-        case 7u: { return StratiformParameters(0.6930303, 0.84774035, 1.4111707, 0.7905317, 0.18989228); }
-        case 8u: { return StratiformParameters(0.5498194, 1.9313879, 2.1924367, 0.76515853, 0.3418045); }
-        default: { return StratiformParameters(0.26249668, 20.0, 10.643696, 0.26815322, 1.0); }
+        case 0u: { return StratiformParameters(1.2326127, 0.29090887, 0.60034955, 0.8364821, 0.062064935); }
+        case 1u: { return StratiformParameters(1.2215155, 0.29522294, 0.6090457, 0.8366383, 0.06217731); }
+        case 2u: { return StratiformParameters(1.1831241, 0.32623437, 0.6337079, 0.83317035, 0.06387212); }
+        case 3u: { return StratiformParameters(1.1198033, 0.4132924, 0.6807389, 0.828732, 0.067302905); }
+        case 4u: { return StratiformParameters(1.0430913, 0.81120116, 0.7570642, 0.8196291, 0.07453496); }
+        case 5u: { return StratiformParameters(0.9611954, 0.6435982, 0.8756843, 0.81066805, 0.08926997); }
+        case 6u: { return StratiformParameters(0.8246695, 0.4922368, 1.0691228, 0.7991854, 0.12197293); }
+        case 7u: { return StratiformParameters(0.69302475, 0.84789693, 1.4111828, 0.79047215, 0.18998009); }
+        case 8u: { return StratiformParameters(0.54983455, 1.9317592, 2.192407, 0.7650929, 0.34187195); }
+        default: { return StratiformParameters(0.26249897, 20.0, 10.64343, 0.2681697, 1.0); }
     }
 }
 
@@ -177,7 +177,7 @@ fn stratiform_parameters(mu_l: f32) -> StratiformParameters {
 
 // The parameters of diffuse light.
 fn stratiform_diffuse_parameters() -> StratiformParameters {
-    return StratiformParameters(0.952783, 1.712647, 0.8682077, 0.79435587, 0.11588616);
+    return StratiformParameters(0.9527769, 1.7120659, 0.8682571, 0.79426295, 0.11596444);
 }
 
 // ---- brackets without cancellation, y >= 0 ---------------------------------------------------------------------

@@ -2,8 +2,8 @@
 // Phase functions of the cloud, looked up in a storage buffer.
 //
 // Program    stratiform 0.1.0
-// Inputs     11cabdeec7d5daaad6ff04e76ab5bfb2
-// Config     6b23cf58bee76b4c8c3859e3df183896
+// Inputs     0e30bc3cf925c7beca964b7a439b6162
+// Config     22bc4a029f2bb74266f9296c25607e3c
 // Seed       2006
 // Method     half-space Monte Carlo; least squares on a fixed grid; std_error propagated from the photons' covariance
 //
@@ -21,7 +21,7 @@
 
 const STRATIFORM_PHASE_COUNT: u32 = 1024u;
 // P_S = P / (1 - P_f) where 1 - cosTheta >= 1 - cos(theta_f), and 0 below.
-const STRATIFORM_WIDE_SCALE: f32 = 1.8339602;
+const STRATIFORM_WIDE_SCALE: f32 = 1.8339075;
 const STRATIFORM_WIDE_EDGE: f32 = 0.0038053019;
 
 // acos(1 - v) for v = 1 - cosTheta in [0, 2]; error below 1e-7 of pi, relative at both ends. Abramowitz & Stegun 1964, 4.4.46.

@@ -2,8 +2,8 @@
 // Entry point that evaluates stratiform.wgsl over a buffer.
 //
 // Program    stratiform 0.1.0
-// Inputs     11cabdeec7d5daaad6ff04e76ab5bfb2
-// Config     6b23cf58bee76b4c8c3859e3df183896
+// Inputs     0e30bc3cf925c7beca964b7a439b6162
+// Config     22bc4a029f2bb74266f9296c25607e3c
 // Seed       2006
 // Method     half-space Monte Carlo; least squares on a fixed grid; std_error propagated from the photons' covariance
 

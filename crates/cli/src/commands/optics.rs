@@ -3,7 +3,7 @@
 use crate::args::OpticsArgs;
 use crate::config::Config;
 use crate::output::{Data, Talk};
-use crate::{CliError, pipeline};
+use crate::{CliError, pipeline, progress};
 use std::fmt::Write;
 use stratiform_artifact::{OpticsDocument, create_folder, to_json};
 use stratiform_optics::OpticsConfig;
@@ -16,7 +16,10 @@ use stratiform_optics::droplets::DropletDistribution;
 pub fn run(args: &OpticsArgs, talk: Talk) -> Result<Data, CliError> {
     let config = config(args)?;
     create_folder(&args.out)?;
-    let ensembles = pipeline::optics::ensembles(&config)?;
+    let spinner = progress::spinner("optics", talk.quiet);
+    let ensembles = pipeline::optics::ensembles(&config);
+    spinner.finish_and_clear();
+    let ensembles = ensembles?;
     let document =
         stratiform_optics::write(&config, &ensembles, &args.out).map_err(pipeline::optics::optics_error)?;
     talk.say(format!("written to {}", args.out.display()));

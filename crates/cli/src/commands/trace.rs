@@ -4,7 +4,7 @@ use crate::args::{Estimator, TraceArgs};
 use crate::commands::order_rows;
 use crate::medium::Medium;
 use crate::output::{Data, Talk};
-use crate::{CliError, pipeline, progress};
+use crate::{CliError, interrupt, pipeline, progress};
 use stratiform_artifact::{OrderResult, OrdersDocument, Provenance, hash_of, to_json};
 use stratiform_quantities::{Incidence, Medium as Kind, Order};
 use stratiform_transport::{Stop, TraceRequest, Traced};
@@ -26,7 +26,8 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
     for request in &requests {
         let bar = progress::bar(args.photons, &format!("mu0 {}", request.incidence), talk.quiet);
         let advanced = |done: u64, _total: u64| bar.set_position(done);
-        let control = pipeline::control(&advanced);
+        let watch = interrupt::watch();
+        let control = pipeline::control(&advanced, &watch);
         let traced = match args.estimator {
             Estimator::HalfSpace => stratiform_transport::trace_half_space(medium.traced(), request, control),
             Estimator::Plain => stratiform_transport::trace_plain(medium.traced(), request, control),

@@ -5,7 +5,7 @@ use super::reference::Media;
 use crate::CliError;
 use crate::config::Config;
 use crate::output::Talk;
-use crate::progress;
+use crate::{interrupt, progress};
 use std::path::Path;
 use std::time::Instant;
 use stratiform_artifact::{ConvergenceRow, OrdersRow, read_csv, write_csv};
@@ -65,8 +65,12 @@ impl Curve<'_> {
             let advanced = |done: u64, _total: u64| bar.set_position(done);
             let start = Instant::now();
             let request = self.request(photons)?;
-            let traced = tracer(self.media.get(Medium::Full), &request, super::control(&advanced))
-                .map_err(super::trace_error)?;
+            let traced = tracer(
+                self.media.get(Medium::Full),
+                &request,
+                super::control(&advanced, &interrupt::watch()),
+            )
+            .map_err(super::trace_error)?;
             let seconds = start.elapsed().as_secs_f64();
             bar.finish_and_clear();
             rows.extend(self.compare(estimator, photons, seconds, &traced));

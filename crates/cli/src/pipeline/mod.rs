@@ -7,15 +7,17 @@ mod curves;
 mod notes;
 pub mod optics;
 mod published;
+mod quadrature;
 pub mod reference;
 mod run;
 mod stage;
 mod table;
 
-pub use run::{Target, run};
+pub use run::{Target, provenance, run};
 pub use table::parameter_table;
 
-use crate::{CliError, interrupt};
+use crate::CliError;
+use crate::interrupt::Watch;
 use stratiform_artifact::hash_of;
 use stratiform_quantities::{Incidence, Medium};
 use stratiform_transport::{Control, Progress, TransportError};
@@ -37,8 +39,8 @@ pub fn trace_error(error: TransportError) -> CliError {
 }
 
 /// Watches a trace, and stops it when the user asks to.
-pub fn control(progress: &dyn Progress) -> Control<'_> {
-    Control { progress: Some(progress), cancel: Some(interrupt::flag()) }
+pub fn control<'a>(progress: &'a dyn Progress, watch: &Watch) -> Control<'a> {
+    Control { progress: Some(progress), cancel: Some(watch.flag()) }
 }
 
 /// The number that keeps the photons of one incidence and medium apart from all others: a hash of both, so that it

@@ -5,7 +5,7 @@ use crate::config::Config;
 use std::path::{Path, PathBuf};
 use stratiform_artifact::{OpticsDocument, WavelengthOptics, read_json, write_csv};
 use stratiform_optics::phase::{Norm, PhaseRow, PhaseTable};
-use stratiform_optics::{ensemble::Ensemble, mie};
+use stratiform_optics::{OpticsError, ensemble::Ensemble, mie};
 use stratiform_quantities::{ExtinctionConvention, SingleScatteringAlbedo};
 
 /// What the transport needs to know of a cloud.
@@ -48,17 +48,19 @@ pub fn cache_folder() -> Option<PathBuf> {
 /// # Errors
 /// [`CliError::Input`] for numbers out of domain, [`CliError::Failed`] if the error asked for is not reached.
 pub fn ensembles(config: &stratiform_optics::OpticsConfig) -> Result<Vec<Ensemble>, CliError> {
-    match cache_folder() {
-        Some(folder) => stratiform_optics::load_or_compute(config, &folder),
-        None => stratiform_optics::compute(config),
+    let cached = cache_folder().map(|folder| stratiform_optics::load_or_compute(config, &folder));
+    match cached {
+        // A cache that cannot be read or written is no reason to stop.
+        None | Some(Err(OpticsError::Artifact(_))) => stratiform_optics::compute(config),
+        Some(result) => result,
     }
     .map_err(optics_error)
 }
 
 /// A tolerance that is not met is no bad input.
-pub fn optics_error(error: stratiform_optics::OpticsError) -> CliError {
+pub fn optics_error(error: OpticsError) -> CliError {
     match error {
-        stratiform_optics::OpticsError::NotConverged { .. } => CliError::Failed(error.to_string()),
+        OpticsError::NotConverged { .. } => CliError::Failed(error.to_string()),
         other => CliError::Input(other.to_string()),
     }
 }

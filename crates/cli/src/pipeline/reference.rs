@@ -3,6 +3,7 @@
 use super::optics::Cloud;
 use crate::CliError;
 use crate::config::Config;
+use crate::interrupt;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use stratiform_artifact::{OrdersRow, RowIncidence};
@@ -120,7 +121,8 @@ impl Plan {
         for row in &self.rows {
             let mut one = |medium| {
                 let advanced = |done: u64, _total: u64| progress(before + done);
-                let result = self.trace_one(media, row, medium, super::control(&advanced));
+                let result =
+                    self.trace_one(media, row, medium, super::control(&advanced, &interrupt::watch()));
                 before += self.photons;
                 result.map_err(super::trace_error)
             };
@@ -241,6 +243,7 @@ pub fn points(config: &Config, traced: &TracedIncidence) -> Result<Vec<Reference
                 tau,
                 quantity: quantity.to_owned(),
                 value: estimate.value,
+                std_error: estimate.std_error,
             });
         }
     }

@@ -3,7 +3,7 @@
 use super::optics::Cloud;
 use super::reference::{Media, Plan, TracedIncidence, fit_reference, orders_rows, points};
 use super::stage::Workspace;
-use super::{accepted, convergence, curves, input_error, notes, optics, published};
+use super::{accepted, convergence, curves, input_error, notes, optics, published, quadrature};
 use crate::CliError;
 use crate::config::Config;
 use crate::output::Talk;
@@ -31,35 +31,51 @@ pub enum Target {
 /// # Errors
 /// [`CliError`]; stages that were finished stay finished.
 pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<ParametersDocument, CliError> {
+    config.check()?;
+    if target == Target::Report {
+        config.check_span()?;
+    }
     let provenance = provenance(config);
     let mut work = Workspace::open(out, &config.title, provenance.clone(), talk)?;
     work.stage("optics", &(&config.optics, config.transport.wavelength_um), |dir| {
-        optics::write(config, dir)
+        let spinner = progress::spinner("optics", talk.quiet);
+        let files = optics::write(config, dir);
+        spinner.finish_and_clear();
+        files
     })?;
     let (document, cloud) = optics::read(config, out)?;
+    stratiform_fit::ALBEDO.check("single_scattering_albedo", cloud.omega.get())?;
     let plans = [Plan::nodes(config, &cloud), Plan::between(config, &cloud)];
     let inputs = (work.hash_of_stage("optics"), &plans, &config.transport);
     work.stage("reference", &inputs, |dir| trace(config, &cloud, &plans, dir, talk))?;
-    work.stage("fit", &(work.hash_of_stage("reference"), &config.fit, &config.transport), |dir| {
+    work.stage("fit", &(work.hash_of_stage("reference"), &provenance, &config.fit), |dir| {
         fit(config, &cloud, provenance.clone(), dir)
     })?;
     let parameters: ParametersDocument = read_json(&out.join("parameters.json"))?;
     if target == Target::Report {
-        let before = [work.hash_of_stage("reference"), work.hash_of_stage("fit")];
+        let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
         work.stage("codegen", &before, |dir| codegen(&parameters, &cloud, dir))?;
         work.stage("convergence", &(&before, &config.convergence), |dir| {
             convergence::write(config, &cloud, dir, talk)
         })?;
-        work.stage("notes", &before, |dir| notes(config, &document, &cloud, &parameters, &provenance, dir))?;
-        let inputs =
-            ["optics", "reference", "fit", "convergence", "notes"].map(|stage| work.hash_of_stage(stage));
+        work.stage(
+            "quadrature",
+            &(&config.optics, config.transport.wavelength_um, config.convergence.most_radii),
+            |dir| quadrature::write(config, dir),
+        )?;
+        work.stage("notes", &(&before, &provenance), |dir| {
+            notes(config, &document, &cloud, &parameters, &provenance, dir)
+        })?;
+        let inputs = ["optics", "reference", "fit", "convergence", "quadrature", "notes"]
+            .map(|stage| work.hash_of_stage(stage));
         work.stage("report", &inputs, report)?;
     }
+    work.save()?;
     Ok(parameters)
 }
 
 /// Provenance of everything that the chain writes.
-fn provenance(config: &Config) -> Provenance {
+pub fn provenance(config: &Config) -> Provenance {
     let hash = hash_of(&(&config.optics, &config.transport, &config.fit));
     let method = "half-space Monte Carlo; least squares on a fixed grid; std_error propagated from the photons' covariance";
     Provenance::new(hash, Some(config.transport.seed), method)
@@ -107,7 +123,7 @@ fn fit(config: &Config, cloud: &Cloud, provenance: Provenance, dir: &Path) -> Re
     };
     let document = stratiform_fit::fit(&config.fit, &references, medium, provenance).map_err(input_error)?;
     write_json(&dir.join("parameters.json"), &document)?;
-    write_csv(&dir.join("parameters.csv"), &stratiform_fit::csv_rows(&document))?;
+    write_csv(&dir.join("parameters.csv"), &document.csv_rows())?;
     Ok(vec!["parameters.json".to_owned(), "parameters.csv".to_owned()])
 }
 

@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use stratiform_artifact::{Provenance, create_folder, hash_bytes, hash_of, read_json, write_json};
+use stratiform_artifact::{
+    Provenance, create_folder, hash_bytes, hash_of, read_json, write_atomic, write_json,
+};
 
 /// What a stage left behind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -57,9 +59,11 @@ impl Workspace {
             provenance,
             stages,
         };
-        let workspace = Self { dir: dir.to_owned(), manifest, talk };
-        workspace.save()?;
-        Ok(workspace)
+        let probe = dir.join(format!(".stratiform.{}", std::process::id()));
+        write_atomic(&probe, b"")?;
+        // The probe was written: that it cannot be removed is no reason to stop.
+        let _ = std::fs::remove_file(&probe);
+        Ok(Self { dir: dir.to_owned(), manifest, talk })
     }
 
     /// The inputs' hash of a stage that ran, to hand on to those that depend on it.
@@ -105,7 +109,11 @@ impl Workspace {
         })
     }
 
-    fn save(&self) -> Result<(), CliError> {
+    /// Writes the manifest.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] if it cannot be written.
+    pub fn save(&self) -> Result<(), CliError> {
         Ok(write_json(&self.dir.join("manifest.json"), &self.manifest)?)
     }
 }
@@ -114,7 +122,6 @@ impl Workspace {
 mod tests {
     use super::*;
     use std::cell::Cell;
-    use stratiform_artifact::write_atomic;
 
     fn open(dir: &Path) -> Workspace {
         let provenance = Provenance::new("0".to_owned(), None, "test");

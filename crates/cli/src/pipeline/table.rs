@@ -3,7 +3,7 @@
 use super::published;
 use crate::CliError;
 use std::fmt::Write;
-use stratiform_artifact::{FittedParameter, ParameterRow, ParametersDocument, PublishedRow};
+use stratiform_artifact::{FittedParameter, ParametersDocument, PublishedRow};
 
 /// `value(error)`: the error counts in units of the value's last digit, of which it has two.
 fn with_error(value: f64, error: f64) -> String {
@@ -30,11 +30,6 @@ fn line(text: &mut String, head: &str, cells: [String; 5]) {
 
 fn published_cells(row: &PublishedRow) -> [String; 5] {
     [row.b, row.c_per_m, row.kappa_c_per_m, row.t, row.r].map(|value| format!("{value:.4}"))
-}
-
-fn flags(row: &ParameterRow) -> String {
-    let name = |flag| serde_json::to_string(flag).unwrap_or_default().trim_matches('"').to_owned();
-    row.flags.iter().map(name).collect::<Vec<_>>().join(" ")
 }
 
 /// The table as text: each angle's fitted parameters, and below them the published ones in brackets.
@@ -69,7 +64,7 @@ pub fn parameter_table(document: &ParametersDocument) -> Result<String, CliError
             line(&mut text, "published", published_cells(theirs));
         }
         if !row.flags.is_empty() {
-            let _ = writeln!(text, "{:>9}  {}", "flags", flags(row));
+            let _ = writeln!(text, "{:>9}  {}", "flags", row.flag_names());
         }
     }
     text.push_str("\n1.234(56) means 1.234 with a standard error of 0.056; - is not identifiable; ! has no error (fixed or on a bound)\n");

@@ -171,11 +171,13 @@ impl SizeDistribution {
         }
     }
 
-    /// The quantiles of [`scattering_range`](Self::scattering_range), on a logarithmic grid of radii round r_e.
+    /// The quantiles of [`scattering_range`](Self::scattering_range), on a logarithmic grid of radii round r_e that is
+    /// as wide as the distribution: 20 √v_e, and no more than e^12.
     fn quantiles(&self) -> [f64; 2] {
         const STEPS: i32 = 4000;
         let centre = self.effective_radius();
-        let radius = |i: i32| centre * libm::exp(12.0 * f64::from(i - STEPS) / f64::from(STEPS));
+        let span = (20.0 * self.effective_variance().sqrt()).min(12.0);
+        let radius = |i: i32| centre * libm::exp(span * f64::from(i - STEPS) / f64::from(STEPS));
         // Steps over the grid from below (or from above) until `share` of ∫r^power n dr is passed.
         let beyond = |power: u32, from_above: bool, share: f64| {
             let weight = |r: f64| (0..=power).fold(self.density(r), |product, _| product * r);

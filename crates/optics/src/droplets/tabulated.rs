@@ -3,7 +3,7 @@
 use super::RADIUS_UM;
 use serde::Deserialize;
 use std::path::Path;
-use stratiform_artifact::{ArtifactError, read_csv};
+use stratiform_artifact::{ArtifactError, read_numbered_csv};
 
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tabulated {
@@ -20,20 +20,22 @@ struct Row {
 
 impl Tabulated {
     pub(super) fn read(path: &Path) -> Result<Self, ArtifactError> {
-        let rows: Vec<Row> = read_csv(path)?;
-        let refuse = |i: usize, message: String| ArtifactError::format(path, Some(i as u64 + 2), message);
-        for (i, row) in rows.iter().enumerate() {
-            RADIUS_UM.check("radius_um", row.radius_um).map_err(|error| refuse(i, error.to_string()))?;
+        let rows: Vec<(u64, Row)> = read_numbered_csv(path)?;
+        let mut previous = 0.0;
+        for (line, row) in &rows {
+            let refuse = |message: String| ArtifactError::format(path, Some(*line), message);
+            RADIUS_UM.check("radius_um", row.radius_um).map_err(|error| refuse(error.to_string()))?;
             if !(row.number.is_finite() && row.number >= 0.0) {
-                return Err(refuse(i, format!("number = {} is outside [0, infinity)", row.number)));
+                return Err(refuse(format!("number = {} is outside [0, infinity)", row.number)));
             }
-            if i > 0 && row.radius_um <= rows[i - 1].radius_um {
-                return Err(refuse(i, format!("radius_um = {} does not increase", row.radius_um)));
+            if row.radius_um <= previous {
+                return Err(refuse(format!("radius_um = {} does not increase", row.radius_um)));
             }
+            previous = row.radius_um;
         }
         let mut table = Self {
-            radius: rows.iter().map(|row| row.radius_um).collect(),
-            density: rows.iter().map(|row| row.number).collect(),
+            radius: rows.iter().map(|(_, row)| row.radius_um).collect(),
+            density: rows.iter().map(|(_, row)| row.number).collect(),
         };
         let total = table.moment(0);
         if !(total.is_finite() && total > 0.0) {

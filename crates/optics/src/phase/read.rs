@@ -5,7 +5,7 @@ use super::table::{self, Norm};
 use crate::OpticsError;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use stratiform_artifact::{ArtifactError, read_text};
+use stratiform_artifact::{ArtifactError, read_numbered_csv, read_text};
 use stratiform_quantities::Range;
 
 /// A row of a phase function file.
@@ -30,8 +30,7 @@ impl PhaseTable {
     /// # Errors
     /// [`OpticsError::Artifact`] naming file and line; [`OpticsError::NotNormalised`] as `norm` says.
     pub fn read(path: &Path, norm: Norm) -> Result<Self, OpticsError> {
-        let text = read_text(path)?;
-        let rows = numbered_rows(path, &text)?;
+        let rows: Vec<(u64, PhaseRow)> = read_numbered_csv(path)?;
         let (theta, p): (Vec<f64>, Vec<f64>) = rows.iter().map(|(_, row)| (row.theta_deg, row.p)).unzip();
         table::check(&theta, &p)
             .map_err(|(row, message)| ArtifactError::format(path, row.map(|i| rows[i].0), message))?;
@@ -45,26 +44,6 @@ impl PhaseTable {
     pub fn read_moments(path: &Path) -> Result<Self, OpticsError> {
         Self::from_moments(&read_moments(path)?)
     }
-}
-
-/// The rows with the lines they stand on.
-fn numbered_rows(path: &Path, text: &str) -> Result<Vec<(u64, PhaseRow)>, ArtifactError> {
-    let mut reader =
-        csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-    let fault = |error: csv::Error| {
-        ArtifactError::format(path, error.position().map(csv::Position::line), error.to_string())
-    };
-    let headers = reader.headers().map_err(fault)?.clone();
-    let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(fault)?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let row = record
-            .deserialize(Some(&headers))
-            .map_err(|error| ArtifactError::format(path, Some(line), error.to_string()))?;
-        rows.push((line, row));
-    }
-    Ok(rows)
 }
 
 /// χ_0, χ_1, … of a file with one number a line; empty lines and lines from `#` on do not count.

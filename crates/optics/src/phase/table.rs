@@ -87,11 +87,6 @@ impl PhaseTable {
         &self.p
     }
 
-    /// Probability up to each node.
-    pub fn node_cumulative(&self) -> &[f64] {
-        &self.cumulative
-    }
-
     /// P at Θ in radians.
     pub fn at(&self, theta: f64) -> f64 {
         let cell = self.cell(self.cell_of(theta));

@@ -6,6 +6,7 @@ mod misfit;
 mod orders;
 mod parameters;
 mod phase;
+mod quadrature;
 
 use crate::chart::Figure;
 use crate::input::Inputs;
@@ -18,5 +19,6 @@ pub fn all(inputs: &Inputs) -> Vec<Figure> {
     figures.push(parameters::figure(inputs));
     figures.push(misfit::figure(inputs));
     figures.extend(inputs.convergence.as_deref().map(convergence::figure));
+    figures.extend(inputs.quadrature.as_deref().map(quadrature::figure));
     figures
 }

@@ -50,6 +50,7 @@ pub fn write(dir: &Path) {
     write_phase(&dir.join("optics/sphere.csv"), 0.87, 0.8);
     write_csv(&dir.join("orders.csv"), &orders()).unwrap();
     write_csv(&dir.join("convergence.csv"), &convergence()).unwrap();
+    write_csv(&dir.join("optics/quadrature.csv"), &quadrature()).unwrap();
     write_json(&dir.join("parameters.json"), &parameters()).unwrap();
     write_csv(&dir.join("published.csv"), &published()).unwrap();
     write_csv(&dir.join("curves.csv"), &curves()).unwrap();
@@ -283,6 +284,24 @@ pub fn convergence() -> Vec<ConvergenceRow> {
         }
     }
     rows
+}
+
+pub fn quadrature() -> Vec<QuadratureRow> {
+    let row = |doublings: u32| {
+        let radii = 64_u64 << doublings;
+        let error = 1.0 / (radii as f64).sqrt();
+        QuadratureRow {
+            wavelength_um: 0.55,
+            radii,
+            seconds: 2e-5 * radii as f64,
+            asymmetry: 0.01 * error,
+            forward_fraction: 0.004 * error,
+            moments: 0.03 * error,
+            phase_below_60_deg: 0.1 * error,
+            phase_beyond_60_deg: error,
+        }
+    };
+    (0..9).map(row).collect()
 }
 
 pub fn notes() -> NotesDocument {
