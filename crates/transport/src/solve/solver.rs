@@ -122,6 +122,10 @@ impl Solver {
     /// chance.
     fn error(&self, first: f64, second: f64, third: f64) -> f64 {
         let step = (third - second).abs().max(0.25 * (second - first).abs());
+        if step == 0.0 {
+            // The same on every rung: unscattered light, which no quadrature touches.
+            return f64::EPSILON;
+        }
         // A phase function that is no probability may break down: that is no answer.
         if third.is_finite() && step.is_finite() {
             step + self.neglected + f64::EPSILON
