@@ -4,6 +4,8 @@ use crate::numbers::{count, finite, pair};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
+pub use crate::solve_args::SolveArgs;
+
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
 #[command(
@@ -38,6 +40,8 @@ pub enum Command {
     Optics(OpticsArgs),
     /// Monte Carlo reflectance and transmittance of slabs, per scattering order.
     Trace(TraceArgs),
+    /// Deterministic reflectance and transmittance of slabs, with estimated errors.
+    Solve(SolveArgs),
     /// Fit the one-dimensional model to the tracer, with errors and flags.
     Fit(StageArgs),
     /// Emit WGSL, JSON and CSV from the accepted parameters; `--check` proves the emitted text fresh.

@@ -11,6 +11,7 @@ mod numbers;
 pub mod output;
 pub mod pipeline;
 mod progress;
+mod solve_args;
 
 pub use args::Cli;
 pub use error::CliError;
@@ -32,6 +33,7 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
         Command::Mie(args) => commands::mie::run(args),
         Command::Optics(args) => commands::optics::run(args, talk),
         Command::Trace(args) => commands::trace::run(args, talk),
+        Command::Solve(args) => commands::solve::run(args),
         Command::Fit(args) => commands::stages::fit(args, talk),
         Command::Codegen(args) => commands::codegen::run(args, talk),
         Command::Reproduce(args) => commands::stages::reproduce(args, talk),

@@ -2,7 +2,7 @@
 
 use stratiform_quantities::DomainError;
 
-/// Why a trace gave no result.
+/// Why a trace or a solution gave no result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TransportError {
     /// A number outside its domain.
@@ -11,6 +11,19 @@ pub enum TransportError {
     /// No thickness was asked for.
     #[error("tau: the list of optical thicknesses is empty")]
     NoThickness,
+    /// No incidence was asked for.
+    #[error("mu0: the list of incidences is empty")]
+    NoIncidence,
+    /// The solver's finest quadrature does not reach the tolerance.
+    #[error("tolerance = {wanted:e} is not met: {streams} streams per hemisphere reach {reached:.1e}")]
+    Tolerance {
+        /// Asked for.
+        wanted: f64,
+        /// Estimated error at the end.
+        reached: f64,
+        /// Streams per hemisphere.
+        streams: usize,
+    },
     /// Thicknesses times orders exceed what the tallies hold.
     #[error("{thicknesses} thicknesses with {orders} orders each make more than {max} rows")]
     TooManyRows {

@@ -1,6 +1,7 @@
-//! Light through one plane-parallel slab: photon tracers that count fluxes per scattering order.
+//! Light through one plane-parallel slab: photon tracers that count fluxes per scattering order, and [`solve`], the
+//! deterministic solver that needs no photons.
 //!
-//! Two implementations share request, run control and result, and must agree:
+//! Two tracers share request, run control and result, and must agree:
 //! [`trace_half_space`] follows depth and direction cosine only, one history for every thickness;
 //! [`trace_plain`] is the three-dimensional reference, one slab at a time.
 //!
@@ -17,6 +18,7 @@ mod medium;
 mod plain;
 mod request;
 mod run;
+pub mod solve;
 mod tally;
 mod traced;
 

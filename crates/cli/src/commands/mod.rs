@@ -3,6 +3,8 @@
 pub mod codegen;
 pub mod mie;
 pub mod optics;
+pub mod order_rows;
 pub mod report;
+pub mod solve;
 pub mod stages;
 pub mod trace;

@@ -1,33 +1,20 @@
 //! `stratiform trace`: Monte Carlo fluxes per order, as CSV or JSON.
 
 use crate::args::{Estimator, TraceArgs};
+use crate::commands::order_rows;
 use crate::medium::Medium;
 use crate::output::{Data, Talk};
 use crate::{CliError, interrupt, pipeline, progress};
-use serde::Serialize;
-use stratiform_artifact::{OrderResult, OrdersDocument, Provenance, hash_of, to_csv, to_json};
+use stratiform_artifact::{OrderResult, OrdersDocument, Provenance, hash_of, to_json};
 use stratiform_quantities::{Incidence, Medium as Kind, Order};
 use stratiform_transport::{Stop, TraceRequest, Traced};
-
-/// A row of the CSV.
-#[derive(Serialize)]
-struct Row {
-    tau: f64,
-    mu0: String,
-    medium: Kind,
-    order: String,
-    reflectance: f64,
-    reflectance_std_error: f64,
-    transmittance: f64,
-    transmittance_std_error: f64,
-}
 
 /// Runs the command.
 ///
 /// # Errors
 /// [`CliError::Input`] for bad input; [`CliError::Failed`] if the error asked for was not reached.
 pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
-    let incidences = parse_incidences(&args.mu0)?;
+    let incidences = order_rows::parse_incidences(&args.mu0)?;
     let requests: Vec<_> = incidences.iter().map(|incidence| request(args, *incidence)).collect();
     for request in &requests {
         request.check().map_err(pipeline::trace_error)?;
@@ -58,10 +45,6 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
         return Err(CliError::Failed(message));
     }
     render(args, &medium, results)
-}
-
-fn parse_incidences(words: &[String]) -> Result<Vec<Incidence>, CliError> {
-    words.iter().map(|word| word.parse().map_err(CliError::Input)).collect()
 }
 
 fn request(args: &TraceArgs, incidence: Incidence) -> TraceRequest {
@@ -100,18 +83,5 @@ fn render(args: &TraceArgs, medium: &Medium, results: Vec<OrderResult>) -> Resul
         };
         return Ok(to_json(&document)?);
     }
-    let rows: Vec<_> = results
-        .into_iter()
-        .map(|result| Row {
-            tau: result.tau,
-            mu0: result.mu0.to_string(),
-            medium: medium.record().medium,
-            order: result.order.to_string(),
-            reflectance: result.reflectance.value,
-            reflectance_std_error: result.reflectance.std_error,
-            transmittance: result.transmittance.value,
-            transmittance_std_error: result.transmittance.std_error,
-        })
-        .collect();
-    Ok(to_csv(&rows)?)
+    order_rows::csv(medium, results)
 }

@@ -31,7 +31,9 @@ pub fn input_error(error: impl std::fmt::Display) -> CliError {
 pub fn trace_error(error: TransportError) -> CliError {
     match error {
         TransportError::Cancelled => CliError::Interrupted,
-        TransportError::Books { .. } => CliError::Failed(error.to_string()),
+        TransportError::Books { .. } | TransportError::Tolerance { .. } => {
+            CliError::Failed(error.to_string())
+        }
         other => input_error(other),
     }
 }

@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test program uses a part")]
 #![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
 
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 use stratiform_optics::phase::{HenyeyGreenstein, Isotropic, PhaseFunction};
 use stratiform_quantities::{Asymmetry, Incidence, Order, SingleScatteringAlbedo};
@@ -129,4 +130,20 @@ impl PhaseFunction for ForwardDelta {
     fn moments(&self, count: usize) -> Vec<f64> {
         self.rest.moments(count).iter().map(|chi| self.share + (1.0 - self.share) * chi).collect()
     }
+}
+
+/// H(μ) of isotropic scattering: ln H = -(μ/π)∫ ln(1 - ωθ cotθ)/(cos²θ + μ²sin²θ) dθ over a quarter circle (Stibbs & Weir 1959).
+pub fn h_function(omega: f64, mu: f64) -> f64 {
+    const PANELS: usize = 20_000;
+    let f = |theta: f64| {
+        let (s, c) = (libm::sin(theta), libm::cos(theta));
+        let cotangent = if theta == 0.0 { 1.0 } else { theta * c / s };
+        libm::log1p(-omega * cotangent) / (c * c + mu * mu * s * s)
+    };
+    let h = FRAC_PI_2 / PANELS as f64;
+    let simpson = (0..=PANELS).fold(0.0, |sum, i| {
+        let weight = if i == 0 || i == PANELS { 1.0 } else { [2.0, 4.0][i % 2] };
+        sum + weight * f(h * i as f64)
+    });
+    libm::exp(-mu / PI * simpson * h / 3.0)
 }

@@ -71,9 +71,12 @@ fn phase(name: &str) -> Arc<dyn PhaseFunction> {
     }
 }
 
-/// From the columns l, beta_l = (2l+1)χ_l.
-fn from_coefficients(file: &str) -> PhaseTable {
+/// χ_l from the columns l, beta_l = (2l+1)χ_l.
+pub fn coefficients(file: &str) -> Vec<f64> {
     let rows = rows(&format!("disort-tests/{file}"));
-    let chi: Vec<f64> = rows.iter().map(|row| number(&row[1]) / (2.0 * number(&row[0]) + 1.0)).collect();
-    PhaseTable::from_moments(&chi).unwrap()
+    rows.iter().map(|row| number(&row[1]) / (2.0 * number(&row[0]) + 1.0)).collect()
+}
+
+fn from_coefficients(file: &str) -> PhaseTable {
+    PhaseTable::from_moments(&coefficients(file)).unwrap()
 }

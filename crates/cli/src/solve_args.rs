@@ -1,0 +1,35 @@
+//! `stratiform solve` as typed.
+
+use crate::args::MediumArgs;
+use crate::numbers::finite;
+use clap::Args;
+
+/// `stratiform solve`.
+#[derive(Debug, Args)]
+#[command(
+    allow_negative_numbers = true,
+    after_help = "Examples:\n  stratiform solve --phase hg:0.75 --tau 1,8 --mu0 1,diffuse --tolerance 1e-8\n  stratiform solve \
+                  --phase config:fit-configs/appendix-b.toml --modified 5 --tau 5 --mu0 0.1,0.5 --tolerance 1e-5 --json\n\
+                  The columns std_error hold the estimated absolute error; exit code 1 if it cannot be brought below \
+                  --tolerance."
+)]
+pub struct SolveArgs {
+    /// What light goes through.
+    #[command(flatten)]
+    pub medium: MediumArgs,
+    /// Optical thicknesses of the full medium.
+    #[arg(long, value_delimiter = ',', value_parser = finite, required = true)]
+    pub tau: Vec<f64>,
+    /// Cosines of the sun's zenith angle in [0, 1], or `diffuse`.
+    #[arg(long, value_delimiter = ',', required = true)]
+    pub mu0: Vec<String>,
+    /// Orders listed one by one, at most 60; the rest is the tail.
+    #[arg(long, default_value_t = 2)]
+    pub orders: u32,
+    /// Largest absolute error allowed.
+    #[arg(long, value_parser = finite, default_value = "1e-6")]
+    pub tolerance: f64,
+    /// Print one JSON object instead of CSV.
+    #[arg(long)]
+    pub json: bool,
+}

@@ -1,0 +1,147 @@
+//! Scattering between streams, every Legendre moment included, whatever the number of streams.
+//!
+//! The azimuthally averaged redistribution p(μ,μ') = Σ(2l+1)χ_l P_l(μ)P_l(μ') acts on polynomials of degree
+//! < n in each hemisphere in √μ (Galerkin): K_kk' = Σ(2l+1)χ_l c_kl c_k'l over even or odd l, with c_kl =
+//! ∫₀¹φ_k P_l dμ. A usual discrete-ordinate code evaluates P_l at the nodes, must stop at l = 2n, and so
+//! needs δ-M (Wiscombe 1977) for a peak. Here a peak narrower than the streams, even χ_l = 1 for all l,
+//! becomes the identity it is for smooth radiances: what δ-M approximates. K is the compression of an
+//! operator of norm ≤ 1, so the medium never creates light; and ∫P_l dμ = 0 for even l > 0 holds to
+//! rounding, so none is lost.
+//!
+//! c_kl follows from the recurrence of P_l, (l+1)P_{l+1} = (2l+1)μP_l - lP_{l-1}, in the basis φ_k, where μ
+//! = y² is the tridiagonal matrix of y applied twice.
+
+use super::matrix::{Matrix, add_scaled};
+use super::quadrature::{Streams, legendre_row, recurrence};
+
+/// Moments and their compression to at most `size` polynomials per hemisphere.
+#[derive(Clone, Debug)]
+pub(crate) struct Kernel {
+    moments: Vec<f64>,
+    /// c_kl, a row of `size` numbers for each l.
+    projections: Vec<f64>,
+    even: Matrix,
+    odd: Matrix,
+}
+
+impl Kernel {
+    pub(crate) fn new(moments: Vec<f64>, size: usize) -> Self {
+        let projections = projections(moments.len(), size);
+        let mut parity = [Matrix::zeros(size), Matrix::zeros(size)];
+        for (l, (row, chi)) in projections.chunks(size).zip(&moments).enumerate() {
+            let weight = (2 * l + 1) as f64 * chi;
+            if weight != 0.0 {
+                for (k, c) in row.iter().enumerate() {
+                    add_scaled(parity[l % 2].row_mut(k), weight * c, row);
+                }
+            }
+        }
+        let [even, odd] = parity;
+        Self { moments, projections, even, odd }
+    }
+
+    /// Largest number of streams served.
+    pub(crate) fn size(&self) -> usize {
+        self.even.size()
+    }
+
+    /// W^{1/2} p W^{1/2} between streams, for even and odd l.
+    pub(crate) fn between(&self, streams: &Streams) -> (Matrix, Matrix) {
+        let to_nodes = |coefficients: &Matrix| {
+            let leading = Matrix::from_fn(streams.count(), |k, m| coefficients[(k, m)]);
+            streams.transform.times(&leading).times(&streams.transform.transposed())
+        };
+        (to_nodes(&self.even), to_nodes(&self.odd))
+    }
+
+    /// p(μ, μ_j) √w_j into any direction cosine `mu`, for even and odd l.
+    pub(crate) fn towards(&self, mu: f64, streams: &Streams) -> (Vec<f64>, Vec<f64>) {
+        let (size, count) = (self.even.size(), streams.count());
+        let mut legendre = vec![0.0; self.moments.len()];
+        legendre_row(mu, &mut legendre);
+        let mut parity = [vec![0.0; count], vec![0.0; count]];
+        for (l, (row, chi)) in self.projections.chunks(size).zip(&self.moments).enumerate() {
+            let weight = (2 * l + 1) as f64 * chi * legendre[l];
+            add_scaled(&mut parity[l % 2], weight, &row[..count]);
+        }
+        let to_nodes = |coefficients: &[f64]| {
+            (0..count).map(|j| super::matrix::dot(streams.transform.row(j), coefficients)).collect()
+        };
+        (to_nodes(&parity[0]), to_nodes(&parity[1]))
+    }
+}
+
+/// c_kl for l < `count`, k < `size`.
+fn projections(count: usize, size: usize) -> Vec<f64> {
+    let width = size + 2 * count + 4;
+    let coefficients: Vec<(f64, f64)> =
+        (0..=width).map(recurrence).map(|(a, b)| (0.5 * (1.0 + a), 0.5 * b)).collect();
+    let (mut before, mut now, mut half) = (vec![0.0; width], vec![0.0; width], vec![0.0; width]);
+    now[0] = 1.0;
+    let mut table = Vec::with_capacity(count * size);
+    for l in 0..count {
+        table.extend_from_slice(&now[..size]);
+        // Beyond k = 2l all is zero; beyond size + 2(count - l) nothing is asked for.
+        let last = (2 * l + 4).min(size + 2 * (count - l));
+        times_y(&coefficients, &now, &mut half, last);
+        let (up, down) = ((2 * l + 1) as f64 / (l + 1) as f64, l as f64 / (l + 1) as f64);
+        // P_{l-1} makes room for P_{l+1}.
+        before.iter_mut().for_each(|value| *value *= -down);
+        add_times_y(&coefficients, &half, &mut before, last, up);
+        std::mem::swap(&mut before, &mut now);
+    }
+    table
+}
+
+/// `result` = coefficients of y times the polynomial `of`, up to place `last`.
+fn times_y(coefficients: &[(f64, f64)], of: &[f64], result: &mut [f64], last: usize) {
+    result[..last].fill(0.0);
+    add_times_y(coefficients, of, result, last, 1.0);
+}
+
+/// Adds `factor` y times the polynomial `of`.
+fn add_times_y(coefficients: &[(f64, f64)], of: &[f64], result: &mut [f64], last: usize, factor: f64) {
+    result[0] += factor * (coefficients[0].0 * of[0] + coefficients[1].1 * of[1]);
+    for k in 1..last {
+        let (a, b) = coefficients[k];
+        result[k] += factor * (coefficients[k + 1].1 * of[k + 1] + a * of[k] + b * of[k - 1]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the rule itself, with enough points to be exact: √w_i φ_k(y_i) times √w_i P_l(y_i²), summed.
+    #[test]
+    fn the_recurrence_gives_the_integrals() {
+        let (count, size) = (200, 20);
+        let table = projections(count, size);
+        let streams = Streams::new(count + size);
+        let mut by_quadrature = vec![0.0; count * size];
+        let mut p = vec![0.0; count];
+        for (i, mu) in streams.mu.iter().enumerate() {
+            legendre_row(*mu, &mut p);
+            for (l, p) in p.iter().enumerate() {
+                let row = &mut by_quadrature[l * size..(l + 1) * size];
+                add_scaled(row, p * streams.root_weight[i], &streams.transform.row(i)[..size]);
+            }
+        }
+        let worst = table.iter().zip(&by_quadrature).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+        assert!(worst < 1e-12, "{worst:e}");
+    }
+
+    /// χ_l = 1 is no scattering at all: the identity. The sum over l converges like 1/L.
+    #[test]
+    fn a_delta_peak_is_the_identity() {
+        let streams = Streams::new(6);
+        let (even, odd) = Kernel::new(vec![1.0; 4000], 6).between(&streams);
+        for i in 0..6 {
+            for j in 0..6 {
+                let expected = if i == j { 1.0 } else { 0.0 };
+                let found = 0.5 * (even[(i, j)] + odd[(i, j)]);
+                assert!((found - expected).abs() < 0.05, "{i} {j}: {found}");
+            }
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! Dense real matrices of a few dozen rows, and the three factorisations the solver needs.
+//!
+//! Own code, because a general library (faer: 43 crates, 90 s to build) buys nothing at this size, picks
+//! its kernels by processor and with them its last bits. Row-major; every loop runs in a fixed order.
+
+use std::ops::{Index, IndexMut};
+
+/// A square matrix.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Matrix {
+    size: usize,
+    data: Vec<f64>,
+}
+
+impl Matrix {
+    pub(crate) fn zeros(size: usize) -> Self {
+        Self { size, data: vec![0.0; size * size] }
+    }
+
+    pub(crate) fn from_fn(size: usize, f: impl Fn(usize, usize) -> f64) -> Self {
+        let mut data = Vec::with_capacity(size * size);
+        for i in 0..size {
+            data.extend((0..size).map(|j| f(i, j)));
+        }
+        Self { size, data }
+    }
+
+    pub(crate) fn size(&self) -> usize {
+        self.size
+    }
+
+    pub(crate) fn row(&self, i: usize) -> &[f64] {
+        &self.data[i * self.size..(i + 1) * self.size]
+    }
+
+    pub(crate) fn row_mut(&mut self, i: usize) -> &mut [f64] {
+        &mut self.data[i * self.size..(i + 1) * self.size]
+    }
+
+    /// Rows `i` and `j`, i < j, both to be changed.
+    #[inline]
+    pub(crate) fn two_rows(&mut self, i: usize, j: usize) -> (&mut [f64], &mut [f64]) {
+        let (head, tail) = self.data.split_at_mut(j * self.size);
+        (&mut head[i * self.size..(i + 1) * self.size], &mut tail[..self.size])
+    }
+
+    pub(crate) fn transposed(&self) -> Self {
+        Self::from_fn(self.size, |i, j| self[(j, i)])
+    }
+
+    pub(crate) fn times(&self, other: &Self) -> Self {
+        let mut product = Self::zeros(self.size);
+        for i in 0..self.size {
+            for (j, factor) in self.row(i).iter().enumerate() {
+                add_scaled(product.row_mut(i), *factor, other.row(j));
+            }
+        }
+        product
+    }
+
+    /// Row vector times matrix.
+    #[cfg(test)]
+    fn times_row(&self, row: &[f64]) -> Vec<f64> {
+        let mut product = vec![0.0; self.size];
+        for (i, factor) in row.iter().enumerate() {
+            add_scaled(&mut product, *factor, self.row(i));
+        }
+        product
+    }
+
+    /// Lower triangular L with L Lᵀ = self; a pivot that rounding made negative counts as zero.
+    pub(crate) fn cholesky(&self) -> Self {
+        let mut l = Self::zeros(self.size);
+        for i in 0..self.size {
+            for j in 0..=i {
+                let sum = self[(i, j)] - dot(&l.row(i)[..j], &l.row(j)[..j]);
+                l[(i, j)] = if i == j {
+                    sum.max(0.0).sqrt()
+                } else if l[(j, j)] > 0.0 {
+                    sum / l[(j, j)]
+                } else {
+                    0.0
+                };
+            }
+        }
+        l
+    }
+
+    /// The inverse, by Gauss–Jordan elimination with row pivots.
+    pub(crate) fn inverse(mut self) -> Self {
+        let n = self.size;
+        let mut inverse = Self::from_fn(n, |i, j| if i == j { 1.0 } else { 0.0 });
+        for k in 0..n {
+            let pivot = self.pivot(k);
+            if pivot != k {
+                for matrix in [&mut self, &mut inverse] {
+                    let (a, b) = matrix.two_rows(k, pivot);
+                    a.swap_with_slice(b);
+                }
+            }
+            let scale = 1.0 / self[(k, k)];
+            self.row_mut(k).iter_mut().chain(inverse.row_mut(k)).for_each(|value| *value *= scale);
+            for i in (0..n).filter(|i| *i != k) {
+                let factor = -self[(i, k)];
+                for matrix in [&mut self, &mut inverse] {
+                    let (low, high) = matrix.two_rows(i.min(k), i.max(k));
+                    let (source, target) = if i < k { (high, low) } else { (low, high) };
+                    add_scaled(target, factor, source);
+                }
+            }
+        }
+        inverse
+    }
+
+    /// The row at or below `k` with the largest element in column `k`.
+    fn pivot(&self, k: usize) -> usize {
+        (k..self.size).fold(k, |best, i| if self[(i, k)].abs() > self[(best, k)].abs() { i } else { best })
+    }
+
+    /// Solution of self · x = `right`, by elimination with row pivots. Destroys the matrix.
+    pub(crate) fn solve(mut self, mut right: Vec<f64>) -> Vec<f64> {
+        let n = self.size;
+        for k in 0..n {
+            let pivot = self.pivot(k);
+            if pivot != k {
+                let (a, b) = self.two_rows(k, pivot);
+                a.swap_with_slice(b);
+                right.swap(k, pivot);
+            }
+            let inverse = 1.0 / self[(k, k)];
+            for i in k + 1..n {
+                let (above, row) = self.two_rows(k, i);
+                let factor = row[k] * inverse;
+                add_scaled(&mut row[k + 1..], -factor, &above[k + 1..]);
+                right[i] -= factor * right[k];
+            }
+        }
+        for k in (0..n).rev() {
+            right[k] = (right[k] - dot(&self.row(k)[k + 1..], &right[k + 1..])) / self[(k, k)];
+        }
+        right
+    }
+}
+
+impl Index<(usize, usize)> for Matrix {
+    type Output = f64;
+    fn index(&self, (i, j): (usize, usize)) -> &f64 {
+        &self.data[i * self.size + j]
+    }
+}
+
+impl IndexMut<(usize, usize)> for Matrix {
+    fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut f64 {
+        &mut self.data[i * self.size + j]
+    }
+}
+
+/// `target` += `factor` · `source`.
+pub(crate) fn add_scaled(target: &mut [f64], factor: f64, source: &[f64]) {
+    target.iter_mut().zip(source).for_each(|(t, s)| *t += factor * s);
+}
+
+/// Σ aᵢbᵢ in four lanes.
+#[inline]
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut lanes = [0.0; 4];
+    let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
+    let rest = a4.remainder().iter().zip(b4.remainder()).fold(0.0, |sum, (x, y)| sum + x * y);
+    for (x, y) in a4.zip(b4) {
+        for i in 0..4 {
+            lanes[i] += x[i] * y[i];
+        }
+    }
+    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Hilbert-like but well conditioned: 1/(i+j+1) + δ.
+    fn sample(n: usize) -> Matrix {
+        Matrix::from_fn(n, |i, j| 1.0 / (i + j + 1) as f64 + if i == j { 1.0 } else { 0.0 })
+    }
+
+    #[test]
+    fn elimination_and_cholesky_undo_multiplication() {
+        for n in [1, 2, 5, 17] {
+            let a = sample(n);
+            let x: Vec<f64> = (0..n).map(|i| 1.0 - 0.3 * i as f64).collect();
+            let solved = a.clone().solve(a.times_row(&x));
+            assert!(solved.iter().zip(&x).all(|(s, x)| (s - x).abs() < 1e-12), "{n}");
+            let l = a.cholesky();
+            let product = l.times(&l.transposed());
+            assert!((0..n * n).all(|i| (product.data[i] - a.data[i]).abs() < 1e-13), "{n}");
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! The modes in which light decays with depth: discrete ordinates, azimuthally averaged.
+//!
+//! With u, v the radiances down and up, S = u+v and D = u-v (both times √w), M = diag μ, E and O the even
+//! and odd kernel: M D' = -A S, M S' = -B D, A = I - ωE, B = I - ωO (Chandrasekhar 1950 ch. 6; halved as in
+//! Stamnes & Swanson 1981). Hence S'' = M⁻¹BM⁻¹A S. With Cholesky factors A = FFᵀ, B = LLᵀ the decay rates
+//! k_j are the singular values of FᵀM⁻¹L, its right vectors v_j give φ_j = M⁻¹L v_j (the part of S) and ψ_j
+//! = L⁻ᵀv_j: S ∝ φ cosh kx, D ∝ -kψ sinh kx. A lossless medium has one k = 0, which needs no case of its
+//! own: cosh → 1 and sinh(kx)/k → x.
+
+use super::jacobi::singular;
+use super::kernel::Kernel;
+use super::matrix::{Matrix, dot};
+use super::quadrature::Streams;
+
+/// All modes for one number of streams and one albedo.
+#[derive(Clone, Debug)]
+pub(crate) struct Modes {
+    pub(crate) streams: Streams,
+    pub(crate) omega: f64,
+    /// k_j ≥ 0.
+    pub(crate) decay: Vec<f64>,
+    /// φ, a row for each mode.
+    pub(crate) sum: Matrix,
+    /// ψ, a row for each mode.
+    pub(crate) difference: Matrix,
+}
+
+impl Modes {
+    pub(crate) fn new(kernel: &Kernel, count: usize, omega: f64) -> Self {
+        let streams = Streams::new(count);
+        let (even, odd) = kernel.between(&streams);
+        let less = |kernel: &Matrix| {
+            Matrix::from_fn(count, |i, j| (if i == j { 1.0 } else { 0.0 }) - omega * kernel[(i, j)])
+        };
+        let (f, l) = (less(&even).cholesky(), less(&odd).cholesky());
+        let scaled = Matrix::from_fn(count, |j, m| l[(m, j)] / streams.mu[m]);
+        let (decay, vectors) = singular(scaled.times(&f));
+        let sum = vectors.times(&scaled);
+        let mut difference = vectors;
+        (0..count).for_each(|j| solve_transposed(&l, difference.row_mut(j)));
+        Self { streams, omega, decay, sum, difference }
+    }
+
+    /// How strongly each mode scatters into direction cosine `mu`, by its φ and by its ψ.
+    pub(crate) fn towards(&self, kernel: &Kernel, mu: f64) -> (Vec<f64>, Vec<f64>) {
+        let (even, odd) = kernel.towards(mu, &self.streams);
+        let onto = |row: &[f64], modes: &Matrix| (0..row.len()).map(|j| dot(row, modes.row(j))).collect();
+        (onto(&even, &self.sum), onto(&odd, &self.difference))
+    }
+}
+
+/// Solves Lᵀx = `right` in place.
+fn solve_transposed(l: &Matrix, right: &mut [f64]) {
+    for k in (0..right.len()).rev() {
+        right[k] /= l[(k, k)];
+        let value = right[k];
+        right[..k].iter_mut().zip(&l.row(k)[..k]).for_each(|(r, factor)| *r -= value * factor);
+    }
+}

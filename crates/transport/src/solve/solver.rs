@@ -1,0 +1,215 @@
+//! Streams chosen for a tolerance: the ladder of stream counts is climbed until its rungs agree.
+//!
+//! The half-range rule converges algebraically (radiances have a μ ln μ at grazing), so the difference of
+//! two rungs bounds the error of the upper one. The error reported is that difference, or a quarter of the
+//! one before if that is larger (rungs may agree by chance), and what the neglected moments could add. A
+//! tolerance the last rung does not meet is an error that says what was reached.
+
+use super::kernel::Kernel;
+use super::medium::SolveMedium;
+use super::modes::Modes;
+use super::orders::Orders;
+use super::slab::{Direction, Pair, Slab};
+use super::solved::Solved;
+use crate::TransportError;
+use rayon::prelude::*;
+use std::borrow::Cow;
+use stratiform_quantities::{Incidence, OpticalThickness, Order, Range};
+
+/// Streams per hemisphere.
+const LADDER: [usize; 9] = [8, 12, 16, 24, 32, 48, 64, 96, 128];
+
+/// Rungs served by the first, smaller kernel.
+const FIRST_SIZE: usize = 32;
+
+/// Numbers of orders listed.
+const ORDERS: Range = Range::closed(0.0, 60.0);
+
+/// Tolerances that double precision can meet.
+const TOLERANCE: Range = Range { max_included: false, ..Range::closed(1e-12, 1.0) };
+
+/// A medium with its scattering kernel, ready for any thicknesses and incidences.
+#[derive(Clone)]
+pub struct Solver {
+    medium: SolveMedium,
+    moments: Vec<f64>,
+    /// What neglected moments could add.
+    neglected: f64,
+    tolerance: f64,
+    kernel: Kernel,
+}
+
+impl Solver {
+    /// Prepares moments and kernel for fluxes within `tolerance`, absolute.
+    ///
+    /// # Errors
+    /// [`TransportError::Domain`] unless 1e-12 ≤ `tolerance` < 1.
+    pub fn new(medium: SolveMedium, tolerance: f64) -> Result<Self, TransportError> {
+        TOLERANCE.check("tolerance", tolerance)?;
+        let (moments, neglected) = medium.moments(tolerance);
+        let kernel = Kernel::new(moments.clone(), FIRST_SIZE);
+        Ok(Self { medium, moments, neglected, tolerance, kernel })
+    }
+
+    /// The medium.
+    pub fn medium(&self) -> &SolveMedium {
+        &self.medium
+    }
+
+    /// Total reflectance and transmittance for every thickness and incidence.
+    ///
+    /// # Errors
+    /// [`TransportError::Domain`] for τ, [`TransportError::NoThickness`], [`TransportError::NoIncidence`];
+    /// [`TransportError::Tolerance`] if 128 streams do not suffice.
+    pub fn totals(&self, tau: &[f64], incidence: &[Incidence]) -> Result<Solved, TransportError> {
+        check(tau, incidence)?;
+        let rows = |kernel: &Kernel, count: usize| self.rung(kernel, count, tau, incidence);
+        Ok(Solved::new(self, (tau, incidence), vec![Order::Total], self.climb(rows)?))
+    }
+
+    /// Orders 0…`max_order`, tail and total for every thickness and incidence; the tail is the total less
+    /// the orders.
+    ///
+    /// # Errors
+    /// As for [`totals`](Self::totals), and [`TransportError::Domain`] for more than 60 orders.
+    pub fn orders(
+        &self,
+        tau: &[f64],
+        incidence: &[Incidence],
+        max_order: u32,
+    ) -> Result<Solved, TransportError> {
+        check(tau, incidence)?;
+        ORDERS.check("orders", f64::from(max_order))?;
+        let rows = |kernel: &Kernel, count: usize| {
+            let totals = self.rung(kernel, count, tau, incidence);
+            let orders = self.order_rung(kernel, count, tau, incidence, max_order as usize);
+            with_tails(&orders, &totals)
+        };
+        Ok(Solved::new(self, (tau, incidence), Order::rows(max_order).collect(), self.climb(rows)?))
+    }
+
+    pub(crate) fn moment_count(&self) -> usize {
+        self.moments.len()
+    }
+
+    /// Values with their errors, from the first rung that agrees with the one below.
+    pub(crate) fn climb(
+        &self,
+        rung: impl Fn(&Kernel, usize) -> Vec<f64>,
+    ) -> Result<(Vec<(f64, f64)>, usize), TransportError> {
+        let mut kernel = Cow::Borrowed(&self.kernel);
+        let mut rungs: Vec<Vec<f64>> = Vec::new();
+        let mut reached = f64::INFINITY;
+        for count in LADDER {
+            if count > kernel.size() {
+                kernel = Cow::Owned(Kernel::new(self.moments.clone(), LADDER[LADDER.len() - 1]));
+            }
+            rungs.push(rung(&kernel, count));
+            let [.., first, second, third] = rungs.as_slice() else { continue };
+            let errors: Vec<f64> =
+                (0..third.len()).map(|i| self.error(first[i], second[i], third[i])).collect();
+            let worst = errors.iter().fold(0.0_f64, |worst, error| worst.max(*error));
+            if worst <= self.tolerance {
+                return Ok((third.iter().copied().zip(errors).collect(), count));
+            }
+            reached = reached.min(worst);
+        }
+        let streams = LADDER[LADDER.len() - 1];
+        Err(TransportError::Tolerance { wanted: self.tolerance, reached, streams })
+    }
+
+    /// Estimated error of the last of three rungs. The step before counts too, lest two rungs agree by
+    /// chance.
+    fn error(&self, first: f64, second: f64, third: f64) -> f64 {
+        let step = (third - second).abs().max(0.25 * (second - first).abs());
+        if step == 0.0 {
+            // The same on every rung: unscattered light, which no quadrature touches.
+            return f64::EPSILON;
+        }
+        // A phase function that is no probability may break down: that is no answer.
+        if third.is_finite() && step.is_finite() {
+            step + self.neglected + f64::EPSILON
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// Orders with `count` streams, a list for each incidence and thickness inside it.
+    fn order_rung(
+        &self,
+        kernel: &Kernel,
+        count: usize,
+        tau: &[f64],
+        incidence: &[Incidence],
+        max_order: usize,
+    ) -> Vec<Vec<Pair>> {
+        // Depth is refined along with angle, so that the ladder sees both errors.
+        let intervals = 6 + LADDER.iter().take_while(|rung| **rung < count).count();
+        let orders = Orders::new(kernel, count, intervals, self.medium.albedo, max_order);
+        let view = |incidence: &Incidence| match incidence {
+            Incidence::Diffuse => None,
+            Incidence::Beam(mu0) => Some(orders.view(kernel, mu0.get())),
+        };
+        let views: Vec<_> = incidence.iter().map(view).collect();
+        let slabs: Vec<Vec<Vec<Pair>>> =
+            tau.par_iter().map(|tau| orders.of_slab(tau * self.medium.extinction, &views)).collect();
+        (0..incidence.len()).flat_map(|i| slabs.iter().map(move |slab| slab[i].clone())).collect()
+    }
+
+    /// R and T with `count` streams: incidences outside, thicknesses inside.
+    fn rung(&self, kernel: &Kernel, count: usize, tau: &[f64], incidence: &[Incidence]) -> Vec<f64> {
+        let modes = Modes::new(kernel, count, self.medium.albedo);
+        let directions: Vec<Option<Direction>> = incidence
+            .iter()
+            .map(|incidence| match incidence {
+                Incidence::Diffuse => None,
+                Incidence::Beam(mu0) => {
+                    let mu0 = mu0.get();
+                    let (sum, difference) = modes.towards(kernel, mu0);
+                    Some(Direction { mu0, sum, difference })
+                }
+            })
+            .collect();
+        let slabs: Vec<Slab> =
+            tau.iter().map(|tau| Slab::new(&modes, tau * self.medium.extinction)).collect();
+        let mut values = Vec::with_capacity(2 * tau.len() * incidence.len());
+        for direction in &directions {
+            for slab in &slabs {
+                let Pair { reflectance, transmittance } = direction
+                    .as_ref()
+                    .map_or_else(|| slab.lit_diffusely(), |direction| slab.lit_from(direction));
+                values.extend([reflectance, transmittance]);
+            }
+        }
+        values
+    }
+}
+
+/// R and T of orders, tail and total, from lists of orders and totals.
+fn with_tails(orders: &[Vec<Pair>], totals: &[f64]) -> Vec<f64> {
+    let mut rows = Vec::new();
+    for (orders, total) in orders.iter().zip(totals.chunks(2)) {
+        let mut tail = [total[0], total[1]];
+        for pair in orders {
+            rows.extend([pair.reflectance, pair.transmittance]);
+            tail[0] -= pair.reflectance;
+            tail[1] -= pair.transmittance;
+        }
+        rows.extend(tail);
+        rows.extend(total);
+    }
+    rows
+}
+
+fn check(tau: &[f64], incidence: &[Incidence]) -> Result<(), TransportError> {
+    if tau.is_empty() {
+        return Err(TransportError::NoThickness);
+    }
+    if incidence.is_empty() {
+        return Err(TransportError::NoIncidence);
+    }
+    for &tau in tau {
+        OpticalThickness::new(tau)?;
+    }
+    Ok(())
+}
