@@ -8,6 +8,7 @@ use std::path::Path;
 use stratiform_cli::config::Config;
 use stratiform_cli::output::Talk;
 use stratiform_cli::pipeline::{Target, run};
+use stratiform_optics::droplets::DropletDistribution;
 use stratiform_tests::paper_config;
 
 /// The paper's cloud with few photons and a coarse quadrature.
@@ -89,4 +90,23 @@ fn reproduce_leaves_every_file_once_and_the_same_bytes_twice() {
     assert!(
         now["orders.csv"] != once["orders.csv"] && now["optics/optics.json"] == once["optics/optics.json"]
     );
+}
+
+/// A cloud that nobody published a table for, of droplets of one size: nothing is compared, and the report is made.
+#[test]
+fn another_cloud_is_compared_with_nothing() {
+    let dir = tempfile::tempdir().unwrap();
+    let talk = Talk { quiet: true };
+    let mut config = small();
+    config.transport.photons = 500;
+    config.transport.photons_between = 100;
+    config.fit.thickness_m.max = 50.0;
+    config.published_table = None;
+    config.optics.droplets = DropletDistribution::SingleSize { radius_um: 2.0 };
+    run(&config, dir.path(), Target::Report, talk).unwrap();
+    let files = all(dir.path());
+    assert!(files.contains_key("report.html") && !files.contains_key("published.csv"));
+    let page = String::from_utf8_lossy(&files["report.html"]);
+    assert!(!page.contains("Bouthors, Neyret &amp; Lefebvre, Real-time"), "the published source is named");
+    assert!(String::from_utf8_lossy(&files["curves.csv"]).lines().all(|line| !line.contains("published")));
 }

@@ -26,9 +26,12 @@ pub struct TracedMedium {
     /// Wavelength, where the medium has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wavelength_um: Option<f64>,
-    /// Convention and value of κ, where thicknesses have metres.
+    /// Which κ turns metres into optical thickness, where the medium has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub extinction: Option<(ExtinctionConvention, f64)>,
+    pub extinction_convention: Option<ExtinctionConvention>,
+    /// That κ, 1/m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub extinction_per_m: Option<f64>,
 }
 
 /// One row of `results`.
@@ -41,6 +44,9 @@ pub struct OrderResult {
     pub mu0: Incidence,
     /// 0…N, `"tail"` or `"total"`.
     pub order: Order,
+    /// Photons traced, where photons were.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub photons: Option<u64>,
     /// Reflected flux per incident flux.
     pub reflectance: Estimate,
     /// Transmitted flux per incident flux, unscattered light included in order 0 and the total.

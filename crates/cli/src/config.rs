@@ -22,6 +22,9 @@ pub struct Config {
     pub schema: String,
     /// One line that says what cloud this is.
     pub title: String,
+    /// The published table that the result is printed and drawn beside: only for the cloud it was made for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub published_table: Option<PublishedTable>,
     /// Droplets, wavelengths, index, θ_f.
     pub optics: OpticsConfig,
     /// What is traced, and how long.
@@ -34,6 +37,14 @@ pub struct Config {
     pub convergence: ConvergenceConfig,
     /// Bounds of the regression test.
     pub regression: RegressionConfig,
+}
+
+/// Tables that others published.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum PublishedTable {
+    /// Appendix B of Bouthors, Neyret & Lefebvre 2006.
+    #[serde(rename = "bouthors-2006")]
+    Bouthors2006,
 }
 
 /// `[transport]`.
@@ -109,10 +120,11 @@ impl Config {
     /// [`CliError::Input`] with file and line for anything unreadable, misspelt or out of domain.
     pub fn load(path: &Path) -> Result<Self, CliError> {
         let text = read_text(path)?;
-        let config: Self = toml::from_str(&text).map_err(|error| {
+        let mut config: Self = toml::from_str(&text).map_err(|error| {
             let line = error.span().map_or(1, |span| line_of(&text, span.start));
             CliError::Input(format!("{}:{line}: {}", path.display(), error.message()))
         })?;
+        config.optics.droplets = config.optics.droplets.relative_to(path.parent().unwrap_or(Path::new("")));
         config.validate().map_err(|fault| {
             let line = fault.key.and_then(|key| key_line(&text, &key));
             let place = line.map_or(String::new(), |line| format!(":{line}"));

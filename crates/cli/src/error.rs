@@ -13,6 +13,14 @@ pub enum CliError {
     /// A check failed, or a budget or tolerance could not be met: exit code 1.
     #[error("{0}")]
     Failed(String),
+    /// A tolerance was not met: exit code 1, after what was reached has been printed.
+    #[error("{message}")]
+    Unmet {
+        /// What was asked for and what was reached.
+        message: String,
+        /// What belongs on stdout all the same.
+        data: String,
+    },
     /// Ctrl-C or a termination signal: exit code 130, as shells expect.
     #[error("interrupted; no file was left half-written")]
     Interrupted,
@@ -25,7 +33,7 @@ impl CliError {
         match self {
             Self::Input(message) => Self::Input(format!("{place}: {message}")),
             Self::Failed(message) => Self::Failed(format!("{place}: {message}")),
-            Self::Interrupted => Self::Interrupted,
+            other => other,
         }
     }
 
@@ -33,7 +41,7 @@ impl CliError {
     pub fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
             Self::Input(_) => 2,
-            Self::Failed(_) => 1,
+            Self::Failed(_) | Self::Unmet { .. } => 1,
             Self::Interrupted => crate::interrupt::INTERRUPTED,
         })
     }

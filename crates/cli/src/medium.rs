@@ -54,7 +54,8 @@ impl Medium {
             theta_f_deg: None,
             forward_fraction: None,
             wavelength_um: config.map(|config| config.transport.wavelength_um),
-            extinction: config.map(|c| c.transport.extinction_convention).zip(source.extinction_per_m),
+            extinction_convention: config.map(|c| c.transport.extinction_convention),
+            extinction_per_m: source.extinction_per_m,
         };
         let traced = match args.modified {
             None => TraceMedium::full(source.phase, omega),

@@ -73,7 +73,8 @@ fn a_target_error_is_met_or_the_exit_code_says_so() {
         ["trace", "--phase", "isotropic", "--tau", "1", "--mu0", "1", "--photons", "1e3", "--std-error"];
     let output = run(dir.path(), &[&args[..], &["1e-4"]].concat());
     assert_eq!(output.status.code(), Some(1));
-    assert!(output.stdout.is_empty());
+    assert_eq!(output.stdout.iter().filter(|byte| **byte == b'\n').count(), 6, "what was reached is printed");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("not 1.000e-4"));
     stdout(dir.path(), &[&args[..], &["0.1"]].concat());
 }
 
@@ -125,4 +126,20 @@ fn codegen_writes_and_finds_stale_text() {
     assert_eq!(stale.status.code(), Some(1));
     let error = String::from_utf8_lossy(&stale.stderr).into_owned();
     assert!(error.contains("stratiform.wgsl is stale") && error.contains("-fn  stratiform"), "{error}");
+}
+
+#[test]
+fn a_droplet_file_lies_beside_its_config() {
+    let dir = tempfile::tempdir().unwrap();
+    let sub = dir.path().join("sub");
+    fs::create_dir(&sub).unwrap();
+    fs::write(sub.join("d.csv"), "radius_um,number\n1,0\n2,1\n4,0\n").unwrap();
+    let droplets = "distribution = \"tabulated\"\nfile = \"d.csv\"";
+    let text = config(&[
+        ("distribution = \"modified-gamma\"\neffective_radius_um = 7.0\ngamma = 2.0", droplets),
+        ("[0.65, 0.55, 0.45]", "[0.55]"),
+    ]);
+    fs::write(sub.join("c.toml"), text).unwrap();
+    let document = json(&stdout(dir.path(), &["optics", "--config", "sub/c.toml", "--out", "o", "--json"]));
+    assert!(document["effective_radius_um"].as_f64().unwrap() > 2.0);
 }

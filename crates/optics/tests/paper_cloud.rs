@@ -129,3 +129,18 @@ fn files_hold_what_was_computed() {
     assert_eq!(load_or_compute(&config, &dir.path().join("cache")).unwrap(), ensembles);
     assert_eq!(std::fs::read_to_string(&entry).unwrap(), intact);
 }
+
+/// A golden, copied from this program's own output: not a proof that the numbers are right (the tests above are), but that they
+/// do not change unnoticed, because cached results are handed out for as long as `REVISION` in `config.rs` stays. If this fails
+/// on purpose, raise `REVISION` and replace the numbers.
+#[test]
+fn numbers_change_only_with_the_revision() {
+    let config: OpticsConfig = toml::from_str(
+        "number_density_per_cm3 = 100.0\nwavelengths_um = [0.55]\n[droplets]\ndistribution = 'modified-gamma'\neffective_radius_um = 2.0\ngamma = 6.0",
+    )
+    .unwrap();
+    let cloud = &compute(&config).unwrap()[0];
+    let found = (cloud.asymmetry, cloud.reached.radii, cloud.phase.values()[0]);
+    let golden = (0.807_673_147_153_803_2, 2048, 330.631_103_333_007_84);
+    assert_eq!(found, golden);
+}

@@ -46,9 +46,9 @@ pub fn schema(path: &Path, expected: &str) -> Result<(), ReportError> {
 pub fn optics(path: &Path, optics: &OpticsDocument) -> Result<(), ReportError> {
     let density = &optics.size_density;
     let (radii, numbers) = (density.radius_um.len(), density.number_per_cm3_um.len());
-    if radii != numbers || radii < 2 {
+    if radii != numbers || radii < 1 {
         let found = format!("{radii} radius_um and {numbers} number_per_cm3_um");
-        return Err(format_error(path, format!("size_density has {found}; it needs as many, at least 2")));
+        return Err(format_error(path, format!("size_density has {found}; it needs as many, at least 1")));
     }
     if optics.wavelengths.is_empty() {
         return Err(format_error(path, "wavelengths is empty; at least one is needed".to_owned()));

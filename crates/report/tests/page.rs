@@ -72,7 +72,7 @@ fn the_page_shows_fitted_beside_published_and_explains() {
     for expected in [
         "1.1630<br><small>± 0.0023</small></td><td class=\"published\">1.1796",
         "– (0.0155)",
-        "c has no influence where b is so near 1",
+        "the data do not determine c",
         "00112233445566778899aabbccddeeff",
         "0.55 µm",
         "<strong>paper</strong>",

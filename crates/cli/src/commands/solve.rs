@@ -47,7 +47,7 @@ fn rows(solved: &Solved) -> Vec<OrderResult> {
         for (t, &tau) in solved.tau().iter().enumerate() {
             for (n, &order) in solved.orders().iter().enumerate() {
                 let (reflectance, transmittance) = solved.estimate(i, t, n);
-                rows.push(OrderResult { tau, mu0, order, reflectance, transmittance });
+                rows.push(OrderResult { tau, mu0, order, photons: None, reflectance, transmittance });
             }
         }
     }

@@ -36,5 +36,5 @@ fn chain(args: &StageArgs, target: Target, talk: Talk) -> Result<Data, CliError>
     if args.json {
         return Ok(stratiform_artifact::to_json(&parameters)?);
     }
-    pipeline::parameter_table(&parameters)
+    pipeline::parameter_table(&parameters, config.published_table)
 }

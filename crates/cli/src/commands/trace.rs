@@ -12,7 +12,7 @@ use stratiform_transport::{Stop, TraceRequest, Traced};
 /// Runs the command.
 ///
 /// # Errors
-/// [`CliError::Input`] for bad input; [`CliError::Failed`] if the error asked for was not reached.
+/// [`CliError::Input`] for bad input; [`CliError::Unmet`], with the result, if the error asked for was not reached.
 pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
     let incidences = order_rows::parse_incidences(&args.mu0)?;
     let requests: Vec<_> = incidences.iter().map(|incidence| request(args, *incidence)).collect();
@@ -42,7 +42,7 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
         let message = format!(
             "{photons} photons reach a standard error of {worst:.3e}, not {target:.3e}: raise --photons"
         );
-        return Err(CliError::Failed(message));
+        return Err(CliError::Unmet { message, data: render(args, &medium, results)? });
     }
     render(args, &medium, results)
 }
@@ -61,7 +61,8 @@ fn rows(args: &TraceArgs, incidence: Incidence, traced: &Traced) -> Vec<OrderRes
     let orders = |index: usize| Order::rows(args.orders).map(move |order| (index, order));
     let row = |(index, order): (usize, Order)| {
         let (reflectance, transmittance) = traced.estimate(index, order);
-        OrderResult { tau: args.tau[index], mu0: incidence, order, reflectance, transmittance }
+        let photons = Some(traced.photons());
+        OrderResult { tau: args.tau[index], mu0: incidence, order, photons, reflectance, transmittance }
     };
     (0..args.tau.len()).flat_map(orders).map(row).collect()
 }
@@ -70,10 +71,10 @@ fn render(args: &TraceArgs, medium: &Medium, results: Vec<OrderResult>) -> Resul
     if args.json {
         let inputs = (medium.record(), &args.tau, &args.mu0, args.photons, args.std_error, args.orders);
         let method = match args.estimator {
-            Estimator::HalfSpace => "half-space Monte Carlo; std_error is one standard deviation of the mean",
-            Estimator::Plain => {
-                "plain three-dimensional Monte Carlo; std_error is one standard deviation of the mean"
+            Estimator::HalfSpace => {
+                "half-space Monte Carlo; std_error is one standard deviation of the mean, at least 1/(photons + 3)"
             }
+            Estimator::Plain => "plain three-dimensional Monte Carlo; std_error as for half-space",
         };
         let document = OrdersDocument {
             schema: OrdersDocument::SCHEMA.to_owned(),

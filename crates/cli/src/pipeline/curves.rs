@@ -4,7 +4,7 @@ use super::published;
 use crate::CliError;
 use std::path::Path;
 use stratiform_artifact::{
-    CurveModel, CurveQuantity, CurvesRow, ParameterRow, ParametersDocument, write_csv,
+    CurveModel, CurveQuantity, CurvesRow, ParameterRow, ParametersDocument, PublishedRow, write_csv,
 };
 use stratiform_model::{Fluxes, Form, Parameters, Thickness, Values, table::cos_degrees};
 use stratiform_quantities::Incidence;
@@ -15,15 +15,19 @@ const POINTS: u32 = 61;
 ///
 /// # Errors
 /// [`CliError::Input`] if parameters are out of the model's domain or the file cannot be written.
-pub fn write(dir: &Path, document: &ParametersDocument) -> Result<String, CliError> {
+pub fn write(
+    dir: &Path,
+    document: &ParametersDocument,
+    published: &[PublishedRow],
+) -> Result<String, CliError> {
     let mut rows = Vec::new();
     for row in &document.metres.rows {
         if let Some(theta) = row.theta_l_deg.degrees() {
             draw(&mut rows, document, theta, CurveModel::Fitted, &values(document, row))?;
         }
     }
-    for row in published::rows()? {
-        let values = published::values(&row, document.metres.kappa_s);
+    for row in published {
+        let values = published::values(row, document.metres.kappa_s);
         draw(&mut rows, document, row.theta_l_deg, CurveModel::Published, &values)?;
     }
     write_csv(&dir.join("curves.csv"), &rows)?;

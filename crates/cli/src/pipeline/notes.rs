@@ -28,6 +28,7 @@ pub fn gather(
     dir: &Path,
 ) -> Result<NotesDocument, CliError> {
     let theta_f = config.optics.theta_f_deg;
+    let table = config.published_table;
     let (mut shares, mut coarse_tabulation) = (Vec::new(), Vec::new());
     for wavelength in &document.wavelengths {
         let path = dir.join("optics").join(&wavelength.phase_csv);
@@ -36,13 +37,15 @@ pub fn gather(
         shares.push(WavelengthShares { wavelength_um, shares: angular_shares(&phase, theta_f) });
         coarse_tabulation.push(coarse(&phase, wavelength_um, theta_f));
     }
-    let [forward, wide, backward] = published::SHARES;
     Ok(NotesDocument {
         schema: NotesDocument::SCHEMA.to_owned(),
         provenance: provenance.clone(),
-        published_source: published::SOURCE.to_owned(),
-        published_beta: Some(published::BETA),
-        published_shares: Some(AngularShares { forward, wide, backward }),
+        published_source: table.map_or(String::new(), |_| published::SOURCE.to_owned()),
+        published_beta: table.map(|_| published::BETA),
+        published_shares: table.map(|_| {
+            let [forward, wide, backward] = published::SHARES;
+            AngularShares { forward, wide, backward }
+        }),
         shares,
         coarse_tabulation,
         modified_bias: modified_bias(&read_csv(&dir.join("orders.csv"))?)?,
@@ -128,7 +131,7 @@ fn published_misfit(
     let metres = config.fit.thickness_m.metres();
     debug_assert!(cloud.extinction_per_m > 0.0);
     let mut all = Vec::new();
-    for row in published::rows()? {
+    for row in published::rows(config.published_table)? {
         let wanted = RowIncidence::Degrees(row.theta_l_deg);
         let Some(reference) = references.iter().find(|reference| reference.incidence == wanted) else {
             continue;

@@ -1,6 +1,7 @@
 //! Appendix B of Bouthors, Neyret & Lefebvre 2006, as published.
 
 use crate::CliError;
+use crate::config::PublishedTable;
 use std::path::Path;
 use stratiform_artifact::{PublishedRow, write_csv};
 use stratiform_model::Values;
@@ -16,11 +17,14 @@ pub const SOURCE: &str = "Bouthors, Neyret & Lefebvre, Real-time realistic illum
 const TABLE: &str =
     include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/bouthors-2006/appendix-b.csv"));
 
-/// The rows, by angle.
+/// The rows, by angle; none if the config names no published table.
 ///
 /// # Errors
 /// [`CliError::Input`] if the built-in table is damaged.
-pub fn rows() -> Result<Vec<PublishedRow>, CliError> {
+pub fn rows(table: Option<PublishedTable>) -> Result<Vec<PublishedRow>, CliError> {
+    if table.is_none() {
+        return Ok(Vec::new());
+    }
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(TABLE.as_bytes());
     reader
         .deserialize()
@@ -34,11 +38,16 @@ pub fn values(row: &PublishedRow, kappa_s_per_m: f64) -> Values<f64> {
     Values { beta: BETA, b, c: c_per_m, kappa_c: kappa_c_per_m, t, r, kappa_s: kappa_s_per_m }
 }
 
-/// Writes `published.csv`.
+/// Writes `published.csv` if there are rows; takes away another cloud's.
 ///
 /// # Errors
 /// [`CliError::Input`] if it cannot be written.
-pub fn write(dir: &Path) -> Result<String, CliError> {
-    write_csv(&dir.join("published.csv"), &rows()?)?;
-    Ok("published.csv".to_owned())
+pub fn write(dir: &Path, rows: &[PublishedRow]) -> Result<Option<String>, CliError> {
+    if rows.is_empty() {
+        // Nothing to remove is as good as removed.
+        let _ = std::fs::remove_file(dir.join("published.csv"));
+        return Ok(None);
+    }
+    write_csv(&dir.join("published.csv"), rows)?;
+    Ok(Some("published.csv".to_owned()))
 }

@@ -65,7 +65,7 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
             &(&config.optics, config.transport.wavelength_um, config.convergence.most_radii),
             |dir| quadrature::write(config, dir),
         )?;
-        work.stage("notes", &(&before, &provenance), |dir| {
+        work.stage("notes", &(&before, &provenance, config.published_table), |dir| {
             notes(config, &document, &cloud, &parameters, &provenance, dir)
         })?;
         let inputs = ["optics", "reference", "fit", "convergence", "quadrature", "notes"]
@@ -161,7 +161,9 @@ fn notes(
 ) -> Result<Vec<String>, CliError> {
     let notes = notes::gather(config, document, cloud, parameters, provenance, dir)?;
     write_json(&dir.join("notes.json"), &notes)?;
-    Ok(vec!["notes.json".to_owned(), published::write(dir)?, curves::write(dir, parameters)?])
+    let rows = published::rows(config.published_table)?;
+    let curves = curves::write(dir, parameters, &rows)?;
+    Ok(["notes.json".to_owned(), curves].into_iter().chain(published::write(dir, &rows)?).collect())
 }
 
 fn report(dir: &Path) -> Result<Vec<String>, CliError> {

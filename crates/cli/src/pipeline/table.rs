@@ -2,6 +2,7 @@
 
 use super::published;
 use crate::CliError;
+use crate::config::PublishedTable;
 use std::fmt::Write;
 use stratiform_artifact::{FittedParameter, ParametersDocument, PublishedRow};
 
@@ -32,11 +33,14 @@ fn published_cells(row: &PublishedRow) -> [String; 5] {
     [row.b, row.c_per_m, row.kappa_c_per_m, row.t, row.r].map(|value| format!("{value:.4}"))
 }
 
-/// The table as text: each angle's fitted parameters, and below them the published ones in brackets.
+/// The table as text: each angle's fitted parameters, and below them the published ones, if any.
 ///
 /// # Errors
 /// [`CliError::Input`] if the built-in published table is damaged.
-pub fn parameter_table(document: &ParametersDocument) -> Result<String, CliError> {
+pub fn parameter_table(
+    document: &ParametersDocument,
+    table: Option<PublishedTable>,
+) -> Result<String, CliError> {
     let mut text = String::new();
     let medium = &document.medium;
     let _ = writeln!(
@@ -50,10 +54,10 @@ pub fn parameter_table(document: &ParametersDocument) -> Result<String, CliError
         medium.asymmetry
     );
     let beta = document.metres.beta;
-    let _ =
-        writeln!(text, "beta = {} (published {})\n", with_error(beta.value, beta.std_error), published::BETA);
+    let theirs = table.map_or(String::new(), |_| format!(" (published {})", published::BETA));
+    let _ = writeln!(text, "beta = {}{theirs}\n", with_error(beta.value, beta.std_error));
     line(&mut text, "theta_l", ["b", "c (1/m)", "kappa_c (1/m)", "t", "r"].map(str::to_owned));
-    let published = published::rows()?;
+    let published = published::rows(table)?;
     for row in &document.metres.rows {
         line(
             &mut text,

@@ -12,7 +12,7 @@ use crate::OpticsError;
 use gamma::GeneralisedGamma;
 use lognormal::Lognormal;
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use stratiform_quantities::Range;
 use tabulated::Tabulated;
 
@@ -82,6 +82,15 @@ enum Law {
 }
 
 impl DropletDistribution {
+    /// The same, a file's path being relative to `folder`.
+    #[must_use]
+    pub fn relative_to(self, folder: &Path) -> Self {
+        match self {
+            Self::Tabulated { file } => Self::Tabulated { file: folder.join(file) },
+            other => other,
+        }
+    }
+
     /// Checks the numbers, reads the file.
     ///
     /// # Errors

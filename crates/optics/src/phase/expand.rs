@@ -35,12 +35,11 @@ fn check(moments: &[f64]) -> Result<(), OpticsError> {
 
 /// `p`, with dips to -1e-3 set to 0.
 pub(super) fn not_negative(theta_deg: &[f64], mut p: Vec<f64>) -> Result<Vec<f64>, OpticsError> {
-    for (value, theta) in p.iter_mut().zip(theta_deg) {
-        if *value < LOWEST {
-            return Err(OpticsError::NegativeSum { value: *value, theta_deg: *theta });
-        }
-        *value = value.max(0.0);
+    let lowest = p.iter().zip(theta_deg).min_by(|a, b| a.0.total_cmp(b.0));
+    if let Some((value, theta)) = lowest.filter(|(value, _)| **value < LOWEST) {
+        return Err(OpticsError::NegativeSum { value: *value, theta_deg: *theta });
     }
+    p.iter_mut().for_each(|value| *value = value.max(0.0));
     Ok(p)
 }
 

@@ -7,7 +7,8 @@ use stratiform_artifact::Flag;
 fn words(flag: Flag) -> &'static str {
     match flag {
         Flag::CNotIdentifiable => {
-            "c has no influence where b is so near 1; the value emitted is interpolated"
+            "the data do not determine c: b is near 1, or the misfit hides c's influence; the value emitted is interpolated or the \
+             best found"
         }
         Flag::BOnBound => "b sits on a bound of the fit",
         Flag::COnBound => "c sits on a bound of the fit",

@@ -35,7 +35,7 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
                 main {
                     (absences(left_out))
                     section id="appendix" {
-                        h2 { "The regenerated Appendix B" }
+                        h2 { @if inputs.published.is_some() { "The regenerated Appendix B" } @else { "The fitted parameters" } }
                         (appendix::tables(inputs))
                         (drawn(named("parameters")))
                     }
@@ -45,7 +45,7 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
                         (drawn(named("misfit")))
                     }
                     section id="orders" { h2 { "Scattering orders" } (drawn(named("orders"))) }
-                    section id="why" { h2 { "Why the published table differs" } (why::section(inputs)) }
+                    section id="why" { h2 { @if inputs.published.is_some() { "Why the published table differs" } @else { "The modified medium" } } (why::section(inputs)) }
                     section id="optics" {
                         h2 { "Droplets and phase functions" }
                         (optics::table(&inputs.optics))
@@ -65,10 +65,10 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
 
 fn contents() -> Markup {
     const SECTIONS: [(&str, &str); 9] = [
-        ("#appendix", "Appendix B"),
+        ("#appendix", "Parameters"),
         ("#misfit", "Misfit"),
         ("#orders", "Scattering orders"),
-        ("#why", "Why it differs"),
+        ("#why", "Medium and reasons"),
         ("#optics", "Optics"),
         ("#convergence", "Convergence"),
         ("#numbers", "All numbers"),

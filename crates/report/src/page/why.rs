@@ -10,6 +10,9 @@ pub fn section(inputs: &Inputs) -> Markup {
         return html! { p { "No " code { "notes.json" } " in the folder, so no numbers to explain it." } };
     };
     let theta_f = inputs.parameters.medium.theta_f_deg;
+    if notes.published_shares.is_none() {
+        return html! { p { "No published table belongs to this cloud." } (bias(&notes.modified_bias)) };
+    }
     html! {
         p { "Published: " (notes.published_source) "." }
         (forward_peak(notes, theta_f))
@@ -93,7 +96,8 @@ fn bias(rows: &[ModifiedBias]) -> Markup {
     html! {
         h3 { "Bias of the modified medium" }
         p { "Light scattered by less than θ" sub { "f" } " is treated as unscattered in the orders. The total \
-             transmittance then differs from the full medium's; here where it differs most." }
+             transmittance then differs from the full medium's; here the largest difference over all thicknesses, which chance alone \
+             makes two to three standard errors large." }
         div class="wide" {
             table {
                 thead { tr { th { "θ" sub { "l" } " (°)" } th { "H (m)" } th { "T full − T modified" } } }
