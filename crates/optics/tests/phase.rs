@@ -254,7 +254,7 @@ fn bad_files_are_refused_with_their_line() {
         ("theta_deg,p\n0,1\n90,x\n180,1\n", ":3: "),
         ("theta_deg,p\n0,1\n90\n180,1\n", ":3"),
         ("theta_deg,p\n0,1\n", "no table"),
-        ("theta_deg,p\n", "no table"),
+        ("theta_deg,p\n", "no rows"),
         ("theta_deg,p\n1,1\n180,1\n", "not from 0 to 180"),
         ("theta_deg,p\n0,1\n170,1\n", "not from 0 to 180"),
         ("theta_deg,p\n0,1\n90,1\n90,1\n90,1\n180,1\n", ":5: theta_deg = 90 stands a third time"),

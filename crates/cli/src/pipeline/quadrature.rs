@@ -32,7 +32,13 @@ pub fn write(config: &Config, dir: &Path) -> Result<Vec<String>, CliError> {
         Ok(_) | Err(OpticsError::NotConverged { .. }) => {}
         Err(other) => return Err(optics_error(other)),
     }
-    write_csv(&dir.join("optics/quadrature.csv"), &rows)?;
+    let path = dir.join("optics/quadrature.csv");
+    if rows.is_empty() {
+        // Droplets of one size need no quadrature, and another cloud's must not stay.
+        let _ = std::fs::remove_file(path);
+        return Ok(Vec::new());
+    }
+    write_csv(&path, &rows)?;
     Ok(vec!["optics/quadrature.csv".to_owned()])
 }
 
