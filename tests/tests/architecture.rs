@@ -59,6 +59,24 @@ fn the_architecture_page_names_every_crate_and_stays_short() {
     assert!(page.lines().count() <= 200);
 }
 
+/// Paths that the pages name in backquotes lead somewhere.
+#[test]
+fn the_pages_name_only_files_that_exist() {
+    let mut named = 0;
+    for page in ["ARCHITECTURE.md", "CONTRIBUTING.md", "README.md"] {
+        let text = fs::read_to_string(root().join(page)).unwrap();
+        for word in text.split('`').skip(1).step_by(2) {
+            let path = word.split_whitespace().next().unwrap_or_default();
+            if ["crates/", "tests/", "scripts/", "fit-configs/"].iter().any(|folder| path.starts_with(folder))
+            {
+                assert!(root().join(path).exists(), "{page} names {path}");
+                named += 1;
+            }
+        }
+    }
+    assert!(named > 5, "guard against checking nothing");
+}
+
 fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
         let path = entry.path();

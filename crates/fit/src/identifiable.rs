@@ -3,9 +3,9 @@
 //! T_ms depends on c only through (1-b)(1 - e^{-cτ}). c is not identifiable if either
 //! * its standard error from the reference's covariance exceeds c/2, or
 //! * with c halved and b adapted the curve changes by less, in the root mean square over the grid, than the
-//!   fit misses the data by: what the form fails to follow anyhow could have chosen another c. In the
-//!   published cloud this happens where b passes 1, from about 43° to 50°; on its way there the best c runs
-//!   off to one side and comes back from the other.
+//!   fit misses the data by: what the form fails to follow anyhow could have chosen another c. This
+//!   happens round the angle where b passes 1; on its way there the best c runs off to one side and comes back
+//!   from the other.
 
 use crate::matrix::{dot, norm};
 use crate::{FitError, Reference};
