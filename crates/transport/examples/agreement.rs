@@ -49,20 +49,17 @@ fn summary(grid: &Agreement) {
     let scores = || grid.rows.iter().flat_map(|row| &row.scores);
     let ratio = scores().fold(0.0_f64, |most, score| most.max(score.solved.std_error / score.std_error));
     println!("largest solver error {ratio:.1e} standard errors");
-    let of = |order: fn(Order) -> bool| {
-        let chosen = scores().filter(|score| match score.quantity {
-            Quantity::Reflectance(o) | Quantity::Transmittance(o) => order(o),
+    for (name, order) in [
+        ("order 1", Order::Exactly(1)),
+        ("order 2", Order::Exactly(2)),
+        ("tail", Order::Tail),
+        ("total", Order::Total),
+    ] {
+        let chosen = scores().filter(|score| {
+            matches!(score.quantity, Quantity::Reflectance(o) | Quantity::Transmittance(o) if o == order)
         });
-        chosen.fold((0, 0.0), |(count, sum), score| (count + 1, sum + score.z * score.z))
-    };
-    let kinds: [(&str, fn(Order) -> bool); 3] = [
-        ("order", |o| matches!(o, Order::Exactly(_))),
-        ("tail", |o| o == Order::Tail),
-        ("total", |o| o == Order::Total),
-    ];
-    for (name, kind) in kinds {
-        let (count, sum) = of(kind);
-        println!("mean z² of {name:<6}{:>6.2} ({count} numbers)", sum / f64::from(count));
+        let (count, sum) = chosen.fold((0, 0.0), |(count, sum), score| (count + 1, sum + score.z * score.z));
+        println!("mean z² of {name:<8}{:>6.2} ({count} numbers)", sum / f64::from(count));
     }
     let (normal, uniform) = (grid.drawn_are_normal(), grid.chi_squares_are_uniform());
     println!("one z of each case, normal: D {:.3}, p {:.3}", normal.statistic, normal.p_value);
