@@ -15,6 +15,7 @@ mod orders;
 mod parameters;
 mod provenance;
 mod quadrature;
+mod radiance;
 mod table;
 
 pub use atomic::{create_folder, read_text, write_atomic};
@@ -34,4 +35,5 @@ pub use parameters::{
 };
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
+pub use radiance::{Face, RadianceDocument, RadianceResult};
 pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};
