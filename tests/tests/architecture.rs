@@ -19,7 +19,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("codegen", &["quantities", "artifact", "model"]),
     ("gpu", &[]),
     ("report", &["quantities", "artifact"]),
-    ("cli", &["quantities", "artifact", "optics", "transport", "model", "fit", "codegen", "report"]),
+    ("cli", &["quantities", "stats", "artifact", "optics", "transport", "model", "fit", "codegen", "report"]),
 ];
 
 fn dependencies(manifest: &Path) -> BTreeSet<String> {
