@@ -102,7 +102,7 @@ impl Solver {
         let mut reached = f64::INFINITY;
         for count in LADDER {
             if count > kernel.size() {
-                kernel = Cow::Owned(Kernel::new(self.moments.clone(), LADDER[LADDER.len() - 1]));
+                kernel = Cow::Owned(Kernel::new(self.moments.clone(), 2 * kernel.size()));
             }
             rungs.push(rung(&kernel, count));
             let [.., first, second, third] = rungs.as_slice() else { continue };
