@@ -5,10 +5,12 @@
 
 mod chi_square;
 mod estimate;
+mod proportions;
 mod stream;
 mod z;
 
 pub use chi_square::{ChiSquare, ChiSquareError, MIN_EXPECTED, chi_square};
 pub use estimate::Estimate;
+pub use proportions::{Hits, p_value_of_share, p_value_of_two};
 pub use stream::{Purpose, key, photon_stream};
 pub use z::{family_threshold, z_score};
