@@ -5,10 +5,11 @@ use crate::check::config::TracerConfig;
 use crate::config::Config;
 use crate::output::Talk;
 use crate::pipeline::optics::Cloud;
-use crate::pipeline::reference::{Media, Plan, TracedIncidence};
+use crate::pipeline::reference::{Media, Plan, TracedIncidence, node_rows};
 use crate::progress;
 use serde::{Deserialize, Serialize};
-use stratiform_artifact::RowIncidence;
+use std::path::Path;
+use stratiform_artifact::{RowIncidence, read_csv};
 use stratiform_quantities::{Medium, Order};
 use stratiform_transport::Quantity;
 
@@ -55,7 +56,7 @@ pub fn trace(
     seed: u64,
     talk: Talk,
 ) -> Result<Vec<CountRow>, CliError> {
-    let plan = Plan { tau: tracer.tau.clone(), photons, seed, ..Plan::nodes(config, cloud) };
+    let plan = Plan { rows: node_rows(config), tau: tracer.tau.clone(), photons, seed };
     let bar = progress::bar(plan.histories(), "photons", talk.quiet);
     let traced = plan.trace(&Media::new(config, cloud)?, &|done| bar.set_position(done))?;
     bar.finish_and_clear();
@@ -77,4 +78,12 @@ fn rows(traced: &TracedIncidence, medium: Medium) -> Vec<CountRow> {
         transmitted: counts.hits(k, Quantity::Transmittance(order)),
     };
     counts.tau().iter().enumerate().flat_map(|place| ORDERS.map(|order| row(place, order))).collect()
+}
+
+/// Reads stored counts.
+///
+/// # Errors
+/// [`CliError::Input`] naming what is missing or damaged.
+pub fn read(file: &Path) -> Result<Vec<CountRow>, CliError> {
+    Ok(read_csv(file)?)
 }

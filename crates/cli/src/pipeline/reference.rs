@@ -82,10 +82,9 @@ pub struct Plan {
 impl Plan {
     /// The table's incidences.
     pub fn nodes(config: &Config, cloud: &Cloud) -> Self {
-        let angles = config.fit.theta_l_deg.iter().map(|theta| RowIncidence::Degrees(*theta));
         let transport = &config.transport;
         Self {
-            rows: angles.chain([RowIncidence::diffuse()]).collect(),
+            rows: node_rows(config),
             tau: cloud.tau(config),
             photons: transport.photons,
             seed: transport.seed,
@@ -152,8 +151,17 @@ impl Plan {
     }
 }
 
+/// The incidences of the table: its angles, then diffuse light.
+pub fn node_rows(config: &Config) -> Vec<RowIncidence> {
+    let angles = config.fit.theta_l_deg.iter().map(|theta| RowIncidence::Degrees(*theta));
+    angles.chain([RowIncidence::diffuse()]).collect()
+}
+
 /// The incidence of a table's row.
-fn light(row: &RowIncidence) -> Result<Incidence, TransportError> {
+///
+/// # Errors
+/// [`TransportError::Domain`] for an angle beyond 90 degrees.
+pub fn light(row: &RowIncidence) -> Result<Incidence, TransportError> {
     Ok(match row.degrees() {
         Some(theta) => Incidence::beam(cos_degrees(theta))?,
         None => Incidence::Diffuse,
