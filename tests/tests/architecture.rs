@@ -24,6 +24,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "cli",
         &[
             "quantities",
+            "stats",
             "reference-data",
             "artifact",
             "optics",

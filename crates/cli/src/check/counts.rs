@@ -4,13 +4,16 @@ use crate::CliError;
 use crate::check::config::TracerConfig;
 use crate::config::Config;
 use crate::output::Talk;
+use crate::pipeline::input_error;
 use crate::pipeline::optics::Cloud;
 use crate::pipeline::reference::{Media, Plan, TracedIncidence, node_rows};
 use crate::progress;
 use serde::{Deserialize, Serialize};
+use std::ffi::OsStr;
 use std::path::Path;
-use stratiform_artifact::{RowIncidence, read_csv};
+use stratiform_artifact::RowIncidence;
 use stratiform_quantities::{Medium, Order};
+use stratiform_reference_data::rows_in;
 use stratiform_transport::Quantity;
 
 /// Orders that are counted by themselves, beside the total.
@@ -80,10 +83,25 @@ fn rows(traced: &TracedIncidence, medium: Medium) -> Vec<CountRow> {
     counts.tau().iter().enumerate().flat_map(|place| ORDERS.map(|order| row(place, order))).collect()
 }
 
-/// Reads stored counts.
+/// Reads stored counts: a table that the `SOURCE.toml` beside it lists with its SHA-256.
 ///
 /// # Errors
-/// [`CliError::Input`] naming what is missing or damaged.
+/// [`CliError::Input`] naming what is missing, damaged or changed.
 pub fn read(file: &Path) -> Result<Vec<CountRow>, CliError> {
-    Ok(read_csv(file)?)
+    let part = |path: Option<&OsStr>| path.unwrap_or_default().to_string_lossy().into_owned();
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let root = folder.parent().unwrap_or(Path::new(""));
+    let rows: Vec<CountRow> =
+        rows_in(root, &part(folder.file_name()), &part(file.file_name())).map_err(input_error)?;
+    let sound = |row: &CountRow| row.photons > 0 && row.reflected.max(row.transmitted) <= row.photons;
+    match rows.iter().find(|row| !sound(row)) {
+        Some(row) => Err(CliError::Input(format!(
+            "{}: more photons counted than launched at theta_l {}, tau {}, order {}",
+            file.display(),
+            row.theta_l_deg,
+            row.tau,
+            row.order
+        ))),
+        None => Ok(rows),
+    }
 }

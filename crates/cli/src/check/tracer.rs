@@ -84,25 +84,28 @@ impl CountRow {
     }
 }
 
-/// How far a share may be from the stored one on the side on which it is: the last count, from the stored share
-/// outwards, whose p-value is not below `alpha`.
+/// How far a share may be from the stored one on the side on which it is. Where no count on that side is out of bounds
+/// (nothing can be rarer than never) the other side's distance stands, if that is more.
 fn largest_difference(fresh: Hits, stored: Hits, alpha: f64) -> f64 {
-    let agrees = |hits: u64| p_value_of_two(Hits { hits, ..fresh }, stored) >= alpha;
     let centre = stored.share() * fresh.trials as f64;
-    let above = fresh.hits as f64 >= centre;
-    // Counts from the stored share outwards; p-values fall along them.
-    let first = if above { centre.ceil() } else { centre.floor() } as u64;
-    let far = if above { fresh.trials - first } else { first };
-    let at = |steps: u64| if above { first + steps } else { first - steps };
-    if !agrees(first) {
-        return 0.0;
-    }
-    let (mut low, mut high) = (0, far + 1);
+    let (below, above) = (centre.floor() as u64, centre.ceil() as u64);
+    let agrees = |hits: u64| p_value_of_two(Hits { hits, ..fresh }, stored) >= alpha;
+    let lowest = below - last(below, |steps| agrees(below - steps));
+    let highest = above + last(fresh.trials - above, |steps| agrees(above + steps));
+    let off = |hits: u64| (Hits { hits, ..fresh }.share() - stored.share()).abs();
+    let (own, end) =
+        if fresh.hits as f64 >= centre { (highest, fresh.trials) } else { (lowest, 0) };
+    if own == end { off(lowest).max(off(highest)) } else { off(own) }
+}
+
+/// The last of 0…`most` for which `holds`, which does up to some number and not beyond; 0 if for none.
+fn last(most: u64, holds: impl Fn(u64) -> bool) -> u64 {
+    let (mut low, mut high) = (0, most + 1);
     while high - low > 1 {
         let middle = low + (high - low) / 2;
-        if agrees(at(middle)) { low = middle } else { high = middle }
+        if holds(middle) { low = middle } else { high = middle }
     }
-    (Hits { hits: at(low), ..fresh }.share() - stored.share()).abs()
+    low
 }
 
 #[cfg(test)]
@@ -126,8 +129,10 @@ mod tests {
             assert_eq!(off <= bound, p_value_of_two(fresh, stored) >= 1e-6, "{hits}: {off} {bound}");
             assert!(bound > 0.05 && bound < 0.1, "{bound}");
         }
-        let nothing = Hits { hits: 0, trials: 1000 };
-        assert!(largest_difference(nothing, Hits { hits: 0, trials: 9999 }, 1e-6) > 0.0);
+        let never = Hits { hits: 0, trials: 1000 };
+        let rare = Hits { hits: 10, trials: 100_000 };
+        assert!(largest_difference(never, Hits { hits: 0, trials: 9999 }, 1e-6) > 0.0);
+        assert!(largest_difference(never, rare, 1e-6) > 10.0 * rare.share());
     }
 
     #[test]
