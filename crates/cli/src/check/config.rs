@@ -154,6 +154,13 @@ fn validate_bounds(quantity: Quantity, bounds: &OrderBounds) -> Result<(), Refus
     Ok(())
 }
 
+impl Quantity {
+    /// Whether it has a direction of view.
+    pub fn is_radiance(self) -> bool {
+        matches!(self, Self::RadianceTop | Self::RadianceBottom)
+    }
+}
+
 impl std::fmt::Display for Quantity {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {

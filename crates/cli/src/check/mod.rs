@@ -2,9 +2,9 @@
 //!
 //! * [`model`]: the accepted table against the deterministic solver, and against a fresh fit;
 //! * [`tracer`]: fresh photons against stored counts;
-//! * `values`: somebody else's numbers against the solver.
+//! * [`values`]: somebody else's numbers against the solver.
 //!
-//! Each yields [`Comparison`]s; a [`Verdict`] sums them up and is printed by `report`.
+//! Each yields [`Comparison`]s; a [`Verdict`] sums them up and is printed by [`report`].
 
 mod comparison;
 pub mod config;
@@ -13,5 +13,6 @@ pub mod model;
 pub mod report;
 pub mod tracer;
 pub mod truth;
+pub mod values;
 
 pub use comparison::{Comparison, Part, Place, Summary, Verdict};

@@ -36,11 +36,7 @@ impl ModelTruth {
     pub fn solve(config: &Config, cloud: &Cloud, media: &Media) -> Result<Self, CliError> {
         let mut rows = fluxes::nodes(config);
         let nodes = rows.len();
-        let middle = |pair: &[f64]| RowIncidence::Degrees(0.5 * (pair[0] + pair[1]));
-        rows.extend(config.fit.theta_l_deg.windows(2).map(middle));
-        // Beyond the bounds' angle only the fit needs the truth.
-        let mut place = 0..;
-        rows.retain(|row| place.next().is_some_and(|i| i < nodes) || config.check.model.hold(row));
+        rows.extend(between(config));
         let tau = cloud.tau(config);
         let truth = Truth::solve(config, media, &rows, &tau, super::truth::LISTED)?;
         Ok(Self { rows, nodes, tau, truth })
@@ -138,6 +134,18 @@ impl ModelTruth {
             orders_covariance: vec![0.0; 16 * count * count],
         }
     }
+}
+
+/// The angles half-way between those of the table, up to the bounds' angle.
+fn between(config: &Config) -> impl Iterator<Item = RowIncidence> {
+    let middle = |pair: &[f64]| RowIncidence::Degrees(0.5 * (pair[0] + pair[1]));
+    config.fit.theta_l_deg.windows(2).map(middle).filter(|row| config.check.model.hold(row))
+}
+
+/// Every incidence that the bounds are about: of the table, then half-way between.
+pub fn held_rows(config: &Config) -> Vec<RowIncidence> {
+    let nodes = node_rows(config).into_iter().filter(|row| config.check.model.hold(row));
+    nodes.chain(between(config)).collect()
 }
 
 fn parameters_at(

@@ -3,7 +3,7 @@
 use crate::CliError;
 use crate::args::CheckArgs;
 use crate::check::config::TracerConfig;
-use crate::check::{Part, Verdict, counts, model, report, tracer};
+use crate::check::{Part, Verdict, counts, model, report, tracer, values};
 use crate::config::Config;
 use crate::output::{Data, Talk};
 use crate::pipeline::{self, optics::Cloud, reference::Media};
@@ -23,7 +23,17 @@ pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
     }
     override_tracer(&mut config, args)?;
     let cloud = pipeline::optics::at_transport_wavelength(&config)?;
-    let verdict = own(&config, args, &cloud, talk)?;
+    if let Some(file) = &args.points {
+        write_csv(file, &values::points(&config, &cloud.tau(&config)))?;
+        return Ok(format!("{}\n", file.display()));
+    }
+    let verdict = match &args.values {
+        Some(file) => {
+            let judged = values::check(&config, &Media::new(&config, &cloud)?, file)?;
+            Verdict { parts: [(Part::Values, judged)].into() }
+        }
+        None => own(&config, args, &cloud, talk)?,
+    };
     render(&config, args, &verdict)
 }
 
