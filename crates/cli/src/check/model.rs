@@ -144,7 +144,7 @@ fn between(config: &Config) -> impl Iterator<Item = RowIncidence> {
 
 /// Every incidence that the bounds are about: of the table, then half-way between.
 pub fn held_rows(config: &Config) -> Vec<RowIncidence> {
-    let nodes = node_rows(config).into_iter().filter(|row| config.check.model.hold(row));
+    let nodes = fluxes::nodes(config).into_iter().filter(|row| config.check.model.hold(row));
     nodes.chain(between(config)).collect()
 }
 
