@@ -135,7 +135,9 @@ impl RadianceSolver {
         let mut rungs: Vec<Vec<Estimate>> = Vec::new();
         let mut reached = f64::INFINITY;
         for count in LADDER {
+            let start = std::time::Instant::now();
             rungs.push(self.rung(phase, request, rules, count));
+            if std::env::var("DBG").is_ok() { let v: Vec<String> = rungs[rungs.len()-1].iter().map(|e| format!("{:.6}", e.value)).collect(); eprintln!("{count} {:?} {}", start.elapsed(), v.join(" ")); }
             let [.., first, second, third] = rungs.as_slice() else { continue };
             let total: Vec<Estimate> = (0..third.len()).map(|i| settled(first[i], second[i], third[i])).collect();
             let worst = total.iter().fold(0.0_f64, |worst, estimate| worst.max(excess(estimate)));
