@@ -19,7 +19,7 @@ const LADDER: [usize; 8] = [8, 16, 24, 32, 48, 64, 96, 128];
 /// Tolerances that can be met.
 const TOLERANCE: Range = Range { max_included: false, ..Range::closed(1e-8, 1.0) };
 
-/// Share of the tolerance left to the angular rule of order 2.
+/// Share of the tolerance that the angular rule of order 2 should take.
 const SHARE: f64 = 0.1;
 
 /// Rounding and limits (k = 0, μ = 0) relative to radiances of order one.
@@ -106,23 +106,28 @@ impl RadianceSolver {
         Ok(rules.chunks(views).map(<[Rules]>::to_vec).collect())
     }
 
+    /// Two rules that agree to a share of the tolerance, or the finest two if they meet the tolerance itself.
     fn rule(&self, phase: &Phase, tau: &[f64], geometry: &Geometry) -> Result<Rules, TransportError> {
         let medium = Scaled::not(&self.medium);
-        let mut coarse = Pairing::new(phase, geometry, POINTS[0]);
-        let mut reached = f64::INFINITY;
-        for points in &POINTS[1..] {
-            let rules = [coarse, Pairing::new(phase, geometry, *points)];
-            let worst = tau.iter().fold(0.0_f64, |worst, tau| {
-                let estimate = by_rules(&rules, &medium, phase, *tau, geometry);
-                worst.max(excess(&estimate))
-            });
+        let disagreement = |rules: &Rules| {
+            tau.iter().fold(0.0_f64, |worst, tau| {
+                worst.max(excess(&by_rules(rules, &medium, phase, *tau, geometry)))
+            })
+        };
+        let mut rules = [POINTS[0], POINTS[1]].map(|points| Pairing::new(phase, geometry, points));
+        let mut worst = disagreement(&rules);
+        for points in &POINTS[2..] {
             if worst <= SHARE * self.tolerance {
-                return Ok(rules);
+                break;
             }
-            reached = reached.min(worst);
-            [_, coarse] = rules;
+            let [_, coarse] = rules;
+            rules = [coarse, Pairing::new(phase, geometry, *points)];
+            worst = disagreement(&rules);
         }
-        Err(TransportError::Rule { wanted: SHARE * self.tolerance, reached })
+        if worst > self.tolerance {
+            return Err(TransportError::Rule { wanted: self.tolerance, reached: worst });
+        }
+        Ok(rules)
     }
 
     /// Totals from the first rung that agrees with the one below.
@@ -135,9 +140,7 @@ impl RadianceSolver {
         let mut rungs: Vec<Vec<Estimate>> = Vec::new();
         let mut reached = f64::INFINITY;
         for count in LADDER {
-            let start = std::time::Instant::now();
             rungs.push(self.rung(phase, request, rules, count));
-            if std::env::var("DBG").is_ok() { let v: Vec<String> = rungs[rungs.len()-1].iter().map(|e| format!("{:.6}", e.value)).collect(); eprintln!("{count} {:?} {}", start.elapsed(), v.join(" ")); }
             let [.., first, second, third] = rungs.as_slice() else { continue };
             let total: Vec<Estimate> = (0..third.len()).map(|i| settled(first[i], second[i], third[i])).collect();
             let worst = total.iter().fold(0.0_f64, |worst, estimate| worst.max(excess(estimate)));
@@ -181,11 +184,11 @@ fn by_rules(rules: &Rules, medium: &Scaled, phase: &Phase, tau: f64, geometry: &
     Estimate { value: fine, std_error: (fine - coarse).abs() + f64::EPSILON * fine.abs() }
 }
 
-/// The last of three rungs with its error: the last step, or a quarter of the one before lest two rungs agree by
-/// chance, and the error of order 2.
+/// The last of three rungs with its error: twice the last step (fine structure converges by a factor of two or so
+/// per rung), or half of the one before lest two rungs agree by chance, and the error of order 2.
 fn settled(first: Estimate, second: Estimate, third: Estimate) -> Estimate {
     let step = (third.value - second.value).abs().max(0.25 * (second.value - first.value).abs());
-    let error = step + third.std_error + ROUNDING * third.value.abs().max(1.0);
+    let error = 2.0 * step + third.std_error + ROUNDING * third.value.abs().max(1.0);
     Estimate { value: third.value, std_error: if error.is_finite() { error } else { f64::INFINITY } }
 }
 
