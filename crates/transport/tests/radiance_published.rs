@@ -117,7 +117,8 @@ struct Computed {
     value: f64,
 }
 
-/// Haze L and cloud C1, from the sun's own direction (287 times a white surface) to the glory.
+/// Haze L and cloud C1, from the sun's own direction (287 times a white surface) to the glory, within the error reported
+/// and the other code's own, with fewer streams.
 #[test]
 fn cdisort_with_every_moment() {
     let rows = rows::<Computed>("cdisort-radiance", "radiance.csv").unwrap();
@@ -125,15 +126,18 @@ fn cdisort_with_every_moment() {
         let first = &group[0];
         let omega = SingleScatteringAlbedo::new(first.omega).unwrap();
         let medium = SolveMedium::from_moments(coefficients(&first.coefficients), omega).unwrap();
-        let views: Vec<View> =
-            group.iter().map(|row| View { side: side(&row.side), mu: row.mu, phi_deg: row.phi_deg }).collect();
-        let solver = RadianceSolver::new(medium, 1e-4).unwrap();
+        let views: Vec<View> = group
+            .iter()
+            .map(|row| View { side: side(&row.side), mu: row.mu, phi_deg: row.phi_deg })
+            .collect();
+        let solver = RadianceSolver::new(medium, 1e-3).unwrap();
         let solved = solver.radiance(&[first.tau], &[first.mu0], &views).unwrap();
-        println!("{} {} by {} streams, here {}", first.coefficients, first.tau, first.streams, solved.streams());
+        assert!(solved.streams() < first.streams as usize);
         for (v, row) in group.iter().enumerate() {
             let found = solved.estimate(0, 0, v, RadianceOrder::Total);
-            let off = found.value / row.value - 1.0;
-            println!("{} {} {}: {:.8} {:.8} {off:.1e} {:.1e}", row.side, row.mu, row.phi_deg, found.value, row.value, found.std_error);
+            let off = (found.value - row.value).abs();
+            let place = format!("{} {} {} {} {}", row.coefficients, row.tau, row.side, row.mu, row.phi_deg);
+            assert!(off <= found.std_error + 5e-6 * row.value, "{place}: {found:?} {}", row.value);
         }
     }
 }

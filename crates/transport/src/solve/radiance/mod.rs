@@ -25,6 +25,7 @@ mod radiances;
 mod response;
 mod scaled;
 mod series;
+mod series_table;
 mod single;
 mod solver;
 mod view;

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 const BATCH: usize = 8;
 
 /// Share of the tolerance that counts as nothing.
-const NOTHING: f64 = 0.01;
+pub(super) const NOTHING: f64 = 0.01;
 
 /// What is asked for: geometries, views inside suns, at every thickness.
 pub(super) struct Request<'a> {

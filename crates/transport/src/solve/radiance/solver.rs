@@ -4,7 +4,7 @@ use super::double::{POINTS, Pairing};
 use super::phase::Phase;
 use super::radiances::Radiances;
 use super::scaled::Scaled;
-use super::series::{Request, beyond_twice};
+use super::series::{NOTHING, Request, beyond_twice};
 use super::single::once;
 use super::view::{Geometry, RadianceOrder, View};
 use crate::TransportError;
@@ -142,7 +142,8 @@ impl RadianceSolver {
         for count in LADDER {
             rungs.push(self.rung(phase, request, rules, count));
             let [.., first, second, third] = rungs.as_slice() else { continue };
-            let total: Vec<Estimate> = (0..third.len()).map(|i| settled(first[i], second[i], third[i])).collect();
+            let total: Vec<Estimate> =
+                (0..third.len()).map(|i| self.settled(first[i], second[i], third[i])).collect();
             let worst = total.iter().fold(0.0_f64, |worst, estimate| worst.max(excess(estimate)));
             if worst <= self.tolerance {
                 return Ok((total, count));
@@ -167,6 +168,16 @@ impl RadianceSolver {
             })
             .collect()
     }
+
+    /// The last of three rungs with its error: twice the last step (fine structure converges by a factor of two or so
+    /// per rung), or half of the one before lest two rungs agree by chance; the error of order 2; what the azimuth
+    /// series leaves out; rounding.
+    fn settled(&self, first: Estimate, second: Estimate, third: Estimate) -> Estimate {
+        let step = (third.value - second.value).abs().max(0.25 * (second.value - first.value).abs());
+        let rest = 2.0 * NOTHING * self.tolerance + ROUNDING * third.value.abs().max(1.0);
+        let error = 2.0 * step + third.std_error + rest;
+        Estimate { value: third.value, std_error: if error.is_finite() { error } else { f64::INFINITY } }
+    }
 }
 
 /// Order 2 everywhere.
@@ -182,14 +193,6 @@ fn twice(medium: &Scaled, phase: &Phase, request: &Request, rules: &[Vec<Rules>]
 fn by_rules(rules: &Rules, medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> Estimate {
     let [coarse, fine] = [0, 1].map(|i| rules[i].twice(medium, phase, tau, geometry));
     Estimate { value: fine, std_error: (fine - coarse).abs() + f64::EPSILON * fine.abs() }
-}
-
-/// The last of three rungs with its error: twice the last step (fine structure converges by a factor of two or so
-/// per rung), or half of the one before lest two rungs agree by chance, and the error of order 2.
-fn settled(first: Estimate, second: Estimate, third: Estimate) -> Estimate {
-    let step = (third.value - second.value).abs().max(0.25 * (second.value - first.value).abs());
-    let error = 2.0 * step + third.std_error + ROUNDING * third.value.abs().max(1.0);
-    Estimate { value: third.value, std_error: if error.is_finite() { error } else { f64::INFINITY } }
 }
 
 /// Error in units of the tolerance's scale.
