@@ -14,6 +14,7 @@
 //! 0 to 1e6; μ0 and μ from 0 (a limit) to 1, not both 0; ω from 0 to 1. In the modified medium orders count wide
 //! events. Errors: [`TransportError`](crate::TransportError).
 
+mod aureole;
 mod depth;
 mod double;
 mod eigen;

@@ -1,5 +1,6 @@
 //! Radiance within a tolerance: rules and streams are refined until results agree.
 
+use super::aureole::{MOMENTS, aureole};
 use super::double::{POINTS, Pairing};
 use super::phase::Phase;
 use super::radiances::Radiances;
@@ -29,7 +30,7 @@ const ROUNDING: f64 = 1e-8;
 #[derive(Clone)]
 pub struct RadianceSolver {
     medium: SolveMedium,
-    /// Moments enough for the last rung.
+    /// Moments enough for the last rung and for what it does not hold.
     chi: Vec<f64>,
     tolerance: f64,
 }
@@ -44,7 +45,7 @@ impl RadianceSolver {
     /// [`TransportError::Domain`] unless 1e-8 ≤ `tolerance` < 1.
     pub fn new(medium: SolveMedium, tolerance: f64) -> Result<Self, TransportError> {
         TOLERANCE.check("tolerance", tolerance)?;
-        let chi = medium.leading_moments(2 * LADDER[LADDER.len() - 1] + 1);
+        let chi = medium.leading_moments(MOMENTS);
         Ok(Self { medium, chi, tolerance })
     }
 
@@ -141,6 +142,7 @@ impl RadianceSolver {
         let mut reached = f64::INFINITY;
         for count in LADDER {
             rungs.push(self.rung(phase, request, rules, count));
+            if std::env::var("DBG").is_ok() { let v: Vec<String> = rungs[rungs.len()-1].iter().map(|e| format!("{:.6}", e.value)).collect(); eprintln!("{count} {}", v.join(" ")); }
             let [.., first, second, third] = rungs.as_slice() else { continue };
             let total: Vec<Estimate> =
                 (0..third.len()).map(|i| self.settled(first[i], second[i], third[i])).collect();
@@ -163,7 +165,10 @@ impl RadianceSolver {
             .places()
             .zip(rest.iter().zip(&second))
             .map(|((tau, _, geometry), (rest, second))| Estimate {
-                value: once(&medium, phase, tau, geometry) + second.value + rest,
+                value: once(&medium, phase, tau, geometry)
+                    + second.value
+                    + rest
+                    + aureole(&medium, &self.chi, tau, geometry),
                 std_error: second.std_error,
             })
             .collect()
