@@ -1,7 +1,7 @@
 //! Radiance within a tolerance: rules and streams are refined until results agree.
 
-use super::aureole::{MOMENTS, aureole};
 use super::double::{POINTS, Pairing};
+use super::narrow::{MOMENTS, Narrow};
 use super::phase::Phase;
 use super::radiances::Radiances;
 use super::scaled::Scaled;
@@ -30,8 +30,9 @@ const ROUNDING: f64 = 1e-8;
 #[derive(Clone)]
 pub struct RadianceSolver {
     medium: SolveMedium,
-    /// Moments enough for the last rung and for what it does not hold.
+    /// Moments enough for the last rung.
     chi: Vec<f64>,
+    narrow: Narrow,
     tolerance: f64,
 }
 
@@ -46,7 +47,8 @@ impl RadianceSolver {
     pub fn new(medium: SolveMedium, tolerance: f64) -> Result<Self, TransportError> {
         TOLERANCE.check("tolerance", tolerance)?;
         let chi = medium.leading_moments(MOMENTS);
-        Ok(Self { medium, chi, tolerance })
+        let narrow = Narrow::new(chi.clone(), &Phase::new(&medium));
+        Ok(Self { medium, chi, narrow, tolerance })
     }
 
     /// The medium.
@@ -142,7 +144,6 @@ impl RadianceSolver {
         let mut reached = f64::INFINITY;
         for count in LADDER {
             rungs.push(self.rung(phase, request, rules, count));
-            if std::env::var("DBG").is_ok() { let v: Vec<String> = rungs[rungs.len()-1].iter().map(|e| format!("{:.6}", e.value)).collect(); eprintln!("{count} {}", v.join(" ")); }
             let [.., first, second, third] = rungs.as_slice() else { continue };
             let total: Vec<Estimate> =
                 (0..third.len()).map(|i| self.settled(first[i], second[i], third[i])).collect();
@@ -159,7 +160,7 @@ impl RadianceSolver {
     /// Totals with `count` streams; errors are those of order 2.
     fn rung(&self, phase: &Phase, request: &Request, rules: &[Vec<Rules>], count: usize) -> Vec<Estimate> {
         let medium = Scaled::new(&self.medium, &self.chi, count);
-        let rest = beyond_twice(&medium, request, self.tolerance);
+        let rest = beyond_twice(&medium, count, request, self.tolerance);
         let second = twice(&medium, phase, request, rules);
         request
             .places()
@@ -168,7 +169,7 @@ impl RadianceSolver {
                 value: once(&medium, phase, tau, geometry)
                     + second.value
                     + rest
-                    + aureole(&medium, &self.chi, tau, geometry),
+                    + self.narrow.beyond_twice(&medium, tau, geometry),
                 std_error: second.std_error,
             })
             .collect()
