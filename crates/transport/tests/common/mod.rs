@@ -42,6 +42,19 @@ pub fn modified(phase: Arc<dyn PhaseFunction>, omega: f64, forward_fraction: f64
     TraceMedium::modified(phase, SingleScatteringAlbedo::new(omega).unwrap(), forward_fraction).unwrap()
 }
 
+/// The paper's cloud at 0.55 µm as accepted in fit-configs.
+pub fn cloud() -> Arc<dyn PhaseFunction> {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/accepted/phase_full.csv");
+    Arc::new(PhaseTable::read(std::path::Path::new(file), Norm::Strict).unwrap())
+}
+
+/// The cloud's modified medium, θ_f = 5°.
+pub fn modified_cloud() -> TraceMedium {
+    let cut = Modified::new(cloud(), 5.0).unwrap();
+    let forward_fraction = cut.forward_fraction();
+    modified(Arc::new(cut), 1.0, forward_fraction)
+}
+
 pub fn request(tau: &[f64], incidence: Incidence, photons: u64) -> TraceRequest {
     TraceRequest {
         tau: tau.to_vec(),
