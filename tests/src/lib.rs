@@ -1,7 +1,8 @@
 //! What holds between the crates. The tests themselves are in `tests/`; here is what they share.
 
-use std::path::PathBuf;
-use stratiform_artifact::{ParametersDocument, RowIncidence};
+use std::fs;
+use std::path::{Path, PathBuf};
+use stratiform_artifact::ParametersDocument;
 use stratiform_cli::config::Config;
 use stratiform_cli::pipeline::accepted;
 use stratiform_cli::pipeline::optics::Cloud;
@@ -13,6 +14,27 @@ use stratiform_quantities::SingleScatteringAlbedo;
 /// The root of the repository.
 pub fn root() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+/// Every source file in `folder`, in no order; what is built or generated left out.
+///
+/// # Panics
+/// If a folder cannot be read: a test then fails.
+#[expect(clippy::expect_used, reason = "for tests only")]
+pub fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder that can be read") {
+        let path = entry.expect("an entry that can be read").path();
+        let name = path.file_name().and_then(|name| name.to_str());
+        if path.is_dir() {
+            if !matches!(name, Some("target" | ".git" | "out" | "generated")) {
+                found.extend(sources(&path));
+            }
+        } else if path.extension().is_some_and(|e| e == "rs" || e == "wgsl" || e == "py") {
+            found.push(path);
+        }
+    }
+    found
 }
 
 /// The paper's config.
@@ -51,8 +73,7 @@ pub fn accepted_cloud(config: &Config) -> (ParametersDocument, Cloud) {
 /// If a trace fails: a test then fails.
 #[expect(clippy::expect_used, reason = "for tests only")]
 pub fn fresh_reference(config: &Config, cloud: &Cloud, photons: u64, seed: u64) -> Vec<Reference> {
-    let rows: Vec<RowIncidence> = Plan::nodes(config, cloud).rows;
-    let plan = Plan { rows, tau: cloud.tau(config), photons, seed };
+    let plan = Plan::nodes(config, cloud, photons, seed);
     let media = Media::new(config, cloud).expect("the media");
     let traced = plan.trace(&media, &|_| ()).expect("the trace");
     traced.iter().map(|traced| fit_reference(config, traced)).collect()

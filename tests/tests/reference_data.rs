@@ -1,77 +1,48 @@
-//! Every published figure has a source, and is what was transcribed.
+//! Every published figure has a source, is what was transcribed, and is read through the one loader.
 
 #![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
-use sha2::{Digest, Sha256};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
-use stratiform_tests::root;
+use std::path::{Path, PathBuf};
+use stratiform_reference_data::{ReferenceError, Source, read_in, sha256};
+use stratiform_tests::{root, sources};
 
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Source {
-    title: String,
-    citation: String,
-    origin: String,
-    licence: String,
-    digits: String,
-    files: BTreeMap<String, String>,
-}
-
-fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-/// What is wrong with a folder of reference data; empty if nothing is.
-fn faults(folder: &Path) -> Vec<String> {
-    let text = match fs::read_to_string(folder.join("SOURCE.toml")) {
-        Ok(text) => text,
-        Err(error) => return vec![format!("SOURCE.toml: {error}")],
-    };
-    let source: Source = match toml::from_str(&text) {
+/// What is wrong with `root/name`; empty if nothing is.
+fn faults(root: &Path, name: &str) -> Vec<String> {
+    let source = match Source::load(root, name) {
         Ok(source) => source,
-        Err(error) => return vec![format!("SOURCE.toml: {error}")],
+        Err(error) => return vec![error.to_string()],
     };
-    let mut faults: Vec<String> =
-        [&source.title, &source.citation, &source.origin, &source.licence, &source.digits]
-            .iter()
-            .filter(|field| field.trim().is_empty())
-            .map(|_| "SOURCE.toml has an empty field".to_owned())
-            .collect();
-    let present: BTreeSet<_> =
-        fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-    faults.extend(
-        present
-            .iter()
-            .filter(|name| *name != "SOURCE.toml" && !source.files.contains_key(*name))
-            .map(|name| format!("{name} has no hash in SOURCE.toml")),
-    );
-    for (name, hash) in &source.files {
-        match fs::read(folder.join(name)) {
-            Ok(bytes) if sha256(&bytes) == *hash => {}
-            Ok(bytes) => faults.push(format!("{name} has SHA-256 {}, not {hash}", sha256(&bytes))),
-            Err(error) => faults.push(format!("{name}: {error}")),
-        }
-    }
-    faults
+    let unreadable = source.files.keys().filter_map(|file| match source.read(file) {
+        Ok(_) => None,
+        Err(error) => Some(error.to_string()),
+    });
+    let present: BTreeSet<_> = fs::read_dir(root.join(name))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    let unlisted = present.iter().filter(|file| *file != "SOURCE.toml" && !source.files.contains_key(*file));
+    unreadable.chain(unlisted.map(|file| format!("{file} has no hash in SOURCE.toml"))).collect()
 }
 
 #[test]
 fn every_folder_has_a_source_and_matches_its_hashes() {
-    let folders: Vec<_> =
-        fs::read_dir(root().join("reference-data")).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let root = stratiform_reference_data::root();
+    let folders: Vec<_> = fs::read_dir(&root).unwrap().map(Result::unwrap).collect();
     assert!(folders.len() >= 5, "guard against checking nothing");
     for folder in folders {
-        assert_eq!(faults(&folder), Vec::<String>::new(), "{}", folder.display());
+        let name = folder.file_name().into_string().unwrap();
+        assert_eq!(faults(&root, &name), Vec::<String>::new(), "{name}");
     }
 }
 
 #[test]
 fn a_changed_file_and_a_file_without_hash_are_found() {
-    let folder = tempfile::tempdir().unwrap();
-    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
-    assert_eq!(faults(folder.path()).len(), 1);
+    let root = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(root.path().join("s").join(name), text).unwrap();
+    fs::create_dir(root.path().join("s")).unwrap();
+    assert_eq!(faults(root.path(), "s").len(), 1);
     let hash = sha256(b"1,2\n");
     write("a.csv", "1,2\n");
     write(
@@ -80,8 +51,55 @@ fn a_changed_file_and_a_file_without_hash_are_found() {
             "title = 't'\ncitation = 'c'\norigin = 'o'\nlicence = 'l'\ndigits = 'all'\n[files]\n'a.csv' = '{hash}'\n"
         ),
     );
-    assert_eq!(faults(folder.path()), Vec::<String>::new());
+    assert_eq!(faults(root.path(), "s"), Vec::<String>::new());
     write("a.csv", "1,3\n");
     write("b.csv", "");
-    assert_eq!(faults(folder.path()).len(), 2);
+    assert_eq!(faults(root.path(), "s").len(), 2);
+    assert!(matches!(read_in(root.path(), "s", "a.csv"), Err(ReferenceError::Hash { .. })));
+}
+
+/// Tables that a library carries, so that the program needs no folder. A unit test beside each compares it with the loader's.
+const BUILT_IN: [&str; 2] = ["crates/optics/src/water.rs", "crates/cli/src/pipeline/published.rs"];
+
+/// The loader, and the tests of the folder and of this rule.
+const LOADER: [&str; 3] =
+    ["crates/reference-data/src/lib.rs", "tests/tests/reference_data.rs", "tests/tests/architecture.rs"];
+
+/// Lines of code that lead into `reference-data/` past the loader.
+fn spelled_paths(file: &str, text: &str) -> Vec<String> {
+    let built_in = |line: &str| BUILT_IN.contains(&file) && line.contains("include_str!");
+    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    code.filter(|line| line.contains("reference-data") && !built_in(line)).map(str::to_owned).collect()
+}
+
+#[test]
+fn only_the_loader_spells_a_path_into_the_folder() {
+    let files: Vec<PathBuf> =
+        sources(&root()).into_iter().filter(|p| p.extension().unwrap() == "rs").collect();
+    assert!(files.len() > 20, "guard against checking nothing");
+    for path in files {
+        let name = path.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/");
+        if !LOADER.contains(&name.as_str()) {
+            let found = spelled_paths(&name, &fs::read_to_string(&path).unwrap());
+            assert_eq!(found, Vec::<String>::new(), "{name} opens reference data past the loader");
+        }
+    }
+    for name in BUILT_IN {
+        let text = fs::read_to_string(root().join(name)).unwrap();
+        assert!(text.contains("stratiform_reference_data::read("), "{name} does not check what it carries");
+    }
+}
+
+#[test]
+fn a_path_past_the_loader_is_found() {
+    let line = "let file = root().join(\"reference-data/s/a.csv\");";
+    assert_eq!(spelled_paths("crates/model/tests/x.rs", line).len(), 1);
+    let carried = "const A: &str = include_str!(\"../../../reference-data/s/a.csv\");";
+    assert_eq!(spelled_paths("crates/model/src/x.rs", carried).len(), 1);
+    assert_eq!(spelled_paths(BUILT_IN[0], carried).len(), 0);
+    assert_eq!(
+        spelled_paths("crates/model/src/x.rs", "// see reference-data/s\nuse stratiform_reference_data;")
+            .len(),
+        0
+    );
 }

@@ -1,6 +1,6 @@
 //! The command line exactly as typed. Turning it into checked objects is the commands' work.
 
-use crate::numbers::{count, finite, pair};
+use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -164,7 +164,7 @@ pub struct TraceArgs {
     #[arg(long, default_value_t = 2)]
     pub orders: u32,
     /// Seed of the random streams.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, value_parser = seed, default_value = "1")]
     pub seed: u64,
     /// Which tracer.
     #[arg(long, value_enum, default_value = "half-space")]
@@ -187,7 +187,7 @@ pub struct StageArgs {
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Overrides the config's seed.
-    #[arg(long)]
+    #[arg(long, value_parser = seed)]
     pub seed: Option<u64>,
     /// Overrides the config's photons per incidence and medium.
     #[arg(long, value_parser = count)]

@@ -14,6 +14,15 @@ pub fn count(text: &str) -> Result<u64, String> {
     }
 }
 
+/// A seed: any whole number that fits 64 bits, or one with an exponent such as `1e3`.
+///
+/// # Errors
+/// A message naming the value and the range.
+pub fn seed(text: &str) -> Result<u64, String> {
+    let whole = text.parse().ok().or_else(|| count(text).ok());
+    whole.ok_or_else(|| format!("`{text}` is not a whole number in [0, 2^64 - 1]"))
+}
+
 /// A finite number.
 ///
 /// # Errors
@@ -46,6 +55,14 @@ mod tests {
         for text in ["0", "-1", "1.5", "nan", "inf", "1e300", "", "ten"] {
             assert!(count(text).is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn seeds_have_all_64_bits() {
+        assert_eq!(seed("0"), Ok(0));
+        assert_eq!(seed("1e3"), Ok(1000));
+        assert_eq!(seed("18446744073709551615"), Ok(u64::MAX));
+        assert!(seed("-1").is_err() && seed("1.5").is_err());
     }
 
     #[test]

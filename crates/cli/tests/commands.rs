@@ -126,6 +126,11 @@ fn codegen_writes_and_finds_stale_text() {
     assert_eq!(stale.status.code(), Some(1));
     let error = String::from_utf8_lossy(&stale.stderr).into_owned();
     assert!(error.contains("stratiform.wgsl is stale") && error.contains("-fn  stratiform"), "{error}");
+    let object = run(dir.path(), &["codegen", "c.toml", "--check", "--json"]);
+    assert_eq!(object.status.code(), Some(1));
+    let object = json(&String::from_utf8_lossy(&object.stdout));
+    assert_eq!(object["fresh"], false);
+    assert_eq!(object["files"].as_array().unwrap().len(), 1);
 }
 
 #[test]

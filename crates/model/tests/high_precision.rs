@@ -9,9 +9,7 @@ use stratiform_model::{Form, Parameters, Real, Thickness, Values, exponential_in
 use stratiform_quantities::Incidence;
 
 fn table(name: &str) -> Vec<Vec<String>> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/high-precision-1d/");
-    let text = std::fs::read_to_string(format!("{folder}{name}")).unwrap();
-    text.lines().skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect()
+    stratiform_reference_data::rows("high-precision-1d", name).unwrap()
 }
 
 fn numbers(fields: &[String]) -> Vec<f64> {

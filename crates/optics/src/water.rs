@@ -90,6 +90,14 @@ fn row(line: &str) -> Option<[f64; 3]> {
 mod tests {
     use super::*;
 
+    /// The library carries the tables, and they are the ones of record.
+    #[test]
+    fn the_built_in_tables_are_the_transcribed_ones() {
+        let of_record = |source| stratiform_reference_data::read(source, "index.csv").unwrap();
+        assert_eq!(HALE_QUERRY, of_record("water-hale-querry-1973"));
+        assert_eq!(SEGELSTEIN, of_record("water-segelstein-1981"));
+    }
+
     #[test]
     fn every_row_of_both_tables_is_read() {
         assert_eq!(WaterTable::HaleQuerry1973.rows().len(), HALE_QUERRY.lines().count() - 1);

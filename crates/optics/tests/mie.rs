@@ -4,13 +4,9 @@
 use num_complex::Complex64;
 use stratiform_optics::mie::{SphereScattering, scatter};
 
-const REFERENCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/");
-
-/// The rows of a table, header left out, as text fields.
-fn table(file: &str) -> Vec<Vec<String>> {
-    let text = std::fs::read_to_string(format!("{REFERENCE}{file}")).unwrap();
-    let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
-    lines.map(|line| line.split(',').map(str::to_owned).collect()).collect()
+/// The rows of a table as they are printed.
+fn table(source: &str, file: &str) -> Vec<Vec<String>> {
+    stratiform_reference_data::rows(source, file).unwrap()
 }
 
 fn number(field: &str) -> f64 {
@@ -79,9 +75,9 @@ fn exact(rows: &[Vec<String>], key: &[String], column: usize) -> Option<f64> {
 
 #[test]
 fn efficiencies_are_those_of_miev0() {
-    let exactly = table("mie-multiprecision/efficiencies.csv");
+    let exactly = table("mie-multiprecision", "efficiencies.csv");
     let mut wrong = Vec::new();
-    for row in table("mie-miev0/efficiencies.csv") {
+    for row in table("mie-miev0", "efficiencies.csv") {
         let q = miev0(&row[4], [&row[2], &row[3]], &[]).efficiencies;
         let mut checks = [(5, q.q_ext), (6, q.q_sca), (7, q.g * q.q_sca)].map(|(column, value)| {
             Check::new(format!("case {} column {column}", row[0]), value, &row[column])
@@ -95,10 +91,10 @@ fn efficiencies_are_those_of_miev0() {
 
 #[test]
 fn amplitudes_are_those_of_miev0() {
-    let spheres = table("mie-miev0/efficiencies.csv");
-    let exactly = table("mie-multiprecision/amplitudes.csv");
+    let spheres = table("mie-miev0", "efficiencies.csv");
+    let exactly = table("mie-multiprecision", "amplitudes.csv");
     let (mut wrong, mut confirmed) = (Vec::new(), 0);
-    for row in table("mie-miev0/amplitudes.csv") {
+    for row in table("mie-miev0", "amplitudes.csv") {
         let case = spheres.iter().find(|sphere| sphere[0] == row[0]).unwrap();
         let s = miev0(&case[4], [&case[2], &case[3]], &[number(&row[1])]).amplitudes[0];
         for (column, value, sign) in
@@ -120,9 +116,9 @@ fn amplitudes_are_those_of_miev0() {
 
 #[test]
 fn spheres_are_those_of_du() {
-    let exactly = table("mie-multiprecision/amplitudes.csv");
+    let exactly = table("mie-multiprecision", "amplitudes.csv");
     let mut wrong = Vec::new();
-    for row in table("mie-du-2004/spheres.csv").into_iter().filter(|row| number(&row[1]) <= 1e5) {
+    for row in table("mie-du-2004", "spheres.csv").into_iter().filter(|row| number(&row[1]) <= 1e5) {
         let sphere = scatter(number(&row[1]), [number(&row[2]), number(&row[3])], &[0.0, 180.0]).unwrap();
         let (q, s) = (sphere.efficiencies, &sphere.amplitudes);
         let values = [q.q_ext, q.q_sca, s[0].s1.re, s[0].s1.im, s[1].s1.re, s[1].s1.im];
@@ -158,7 +154,7 @@ fn matrix(s1: Complex64, s2: Complex64) -> [f64; 4] {
 fn the_matrix_is_that_of_bohren_and_huffman() {
     let mut wrong = Vec::new();
     let x = 2.0 * std::f64::consts::PI * 0.525 / 0.6328;
-    for row in table("mie-bohren-huffman-1983/scattering_matrix.csv") {
+    for row in table("mie-bohren-huffman-1983", "scattering_matrix.csv") {
         let sphere = scatter(x, [1.55, 0.0], &[number(&row[0]), 0.0]).unwrap();
         let [at, forward] = [0, 1].map(|i| matrix(sphere.amplitudes[i].s1, sphere.amplitudes[i].s2));
         let values = [at[0] / forward[0], at[1], at[2], at[3]];
@@ -166,7 +162,7 @@ fn the_matrix_is_that_of_bohren_and_huffman() {
             (0..4).map(|i| Check::new(format!("{} column {}", row[0], i + 1), values[i], &row[i + 1]));
         wrong.extend(failures(checks));
     }
-    for row in table("mie-bohren-huffman-1983/efficiencies.csv") {
+    for row in table("mie-bohren-huffman-1983", "efficiencies.csv") {
         let sphere = scatter(x, [number(&row[0]), number(&row[1])], &[180.0]).unwrap();
         let q = sphere.efficiencies;
         let q_back = 4.0 * sphere.amplitudes[0].s1.norm_sqr() / (x * x);

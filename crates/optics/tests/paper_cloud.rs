@@ -2,10 +2,10 @@
 #![expect(clippy::unwrap_used, reason = "a test may stop")]
 
 use std::f64::consts::PI;
-use std::path::PathBuf;
 use stratiform_optics::OpticsConfig;
 use stratiform_optics::phase::{Norm, PhaseFunction, PhaseTable, read_moments};
 use stratiform_optics::{compute, load_or_compute, write};
+use stratiform_reference_data::rows;
 
 const PAPER: &str = r#"
     number_density_per_cm3 = 300.0
@@ -31,10 +31,6 @@ const C1: &str = r#"
 
 fn config(text: &str) -> OpticsConfig {
     toml::from_str(text).unwrap()
-}
-
-fn reference(file: &str) -> PathBuf {
-    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/")).join(file)
 }
 
 /// The example's converged values, to half a unit of the digits given and the quadrature's own error.
@@ -98,10 +94,7 @@ fn deirmendjians_c1_is_as_published() {
     let ensembles = compute(&config(C1)).unwrap();
     let one = &ensembles[0];
     assert!((one.asymmetry - 0.848).abs() < 5e-4, "{}", one.asymmetry);
-    let text = std::fs::read_to_string(reference("deirmendjian-c1/phase.csv")).unwrap();
-    for line in text.lines().skip(1) {
-        let (theta, p) = line.split_once(',').unwrap();
-        let (theta, p): (f64, f64) = (theta.parse().unwrap(), p.parse().unwrap());
+    for (theta, p) in rows::<(f64, f64)>("deirmendjian-c1", "phase.csv").unwrap() {
         let ratio = one.phase.at(theta.to_radians()) / p;
         let bound = if theta < 30.0 { 1e-3 } else { 0.02 };
         assert!((ratio - 1.0).abs() < bound, "{theta}: {ratio}");

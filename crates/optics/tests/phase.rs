@@ -194,10 +194,8 @@ fn moments_sum_to_their_function() {
 /// Garcia & Siewert's C1, 299 coefficients with three decimals: its sum is a phase function with the same moments.
 #[test]
 fn garcia_and_siewerts_c1_is_a_phase_function() {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/deirmendjian-c1/moments.csv");
-    let text = std::fs::read_to_string(file).unwrap();
-    let beta = text.lines().skip(1).map(|line| line.split_once(',').unwrap().1.parse::<f64>().unwrap());
-    let chi: Vec<f64> = beta.enumerate().map(|(l, beta)| beta / (2 * l + 1) as f64).collect();
+    let rows = stratiform_reference_data::rows::<(u32, f64)>("deirmendjian-c1", "moments.csv").unwrap();
+    let chi: Vec<f64> = rows.iter().map(|(l, beta)| beta / f64::from(2 * l + 1)).collect();
     let table = PhaseTable::from_moments(&chi).unwrap();
     for (l, (table, chi)) in table.moments(chi.len()).iter().zip(&chi).enumerate() {
         assert!((table - chi).abs() < 2e-5, "{l}: {table} {chi}");

@@ -8,7 +8,7 @@ use crate::{CliError, pipeline};
 /// Runs the command.
 ///
 /// # Errors
-/// [`CliError::Failed`] with a difference if `--check` finds stale text; [`CliError::Input`] for bad input.
+/// [`CliError::Unmet`] with a difference if `--check` finds stale text; [`CliError::Input`] for bad input.
 pub fn run(args: &CodegenArgs, talk: Talk) -> Result<Data, CliError> {
     let config = Config::load(&args.config)?;
     let folder = |name: &str| args.config.parent().unwrap_or(std::path::Path::new(".")).join(name);
@@ -18,18 +18,20 @@ pub fn run(args: &CodegenArgs, talk: Talk) -> Result<Data, CliError> {
     if args.check {
         if let Err(stale) = stratiform_codegen::check(&files, &output) {
             let list: Vec<_> = stale.iter().map(|s| format!("{}/{s}", output.display())).collect();
-            return Err(CliError::Failed(list.join("\n")));
+            let names: Vec<_> = stale.iter().map(|s| output.join(&s.file).display().to_string()).collect();
+            let data = if args.json { object(false, &names) } else { String::new() };
+            return Err(CliError::Unmet { message: list.join("\n"), data });
         }
         talk.say(format!("{} files in {} are fresh", files.len(), output.display()));
     } else {
         stratiform_codegen::write(&files, &output).map_err(pipeline::input_error)?;
     }
     let names: Vec<_> = files.keys().map(|name| output.join(name).display().to_string()).collect();
-    if args.json {
-        return Ok(format!(
-            "{}\n",
-            serde_json::json!({ "schema": "stratiform/codegen/1", "fresh": true, "files": names })
-        ));
-    }
-    Ok(names.join("\n") + "\n")
+    Ok(if args.json { object(true, &names) } else { names.join("\n") + "\n" })
+}
+
+/// The answer of `--json`: fresh and all files, or the stale ones.
+fn object(fresh: bool, files: &[String]) -> String {
+    let object = serde_json::json!({ "schema": "stratiform/codegen/1", "fresh": fresh, "files": files });
+    format!("{object}\n")
 }

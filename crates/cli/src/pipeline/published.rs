@@ -14,8 +14,7 @@ pub const SHARES: [f64; 3] = [0.51, 0.48, 0.01];
 pub const SOURCE: &str = "Bouthors, Neyret & Lefebvre, Real-time realistic illumination and shading of stratiform \
                           clouds, Eurographics Workshop on Natural Phenomena 2006, appendix B";
 
-const TABLE: &str =
-    include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/bouthors-2006/appendix-b.csv"));
+const TABLE: &str = include_str!("../../../../reference-data/bouthors-2006/appendix-b.csv");
 
 /// The rows, by angle; none if the config names no published table.
 ///
@@ -50,4 +49,16 @@ pub fn write(dir: &Path, rows: &[PublishedRow]) -> Result<Option<String>, CliErr
     }
     write_csv(&dir.join("published.csv"), rows)?;
     Ok(Some("published.csv".to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The program carries the table, and it is the one of record.
+    #[test]
+    fn the_built_in_table_is_the_transcribed_one() {
+        assert_eq!(TABLE, stratiform_reference_data::read("bouthors-2006", "appendix-b.csv").unwrap());
+        assert_eq!(rows(Some(PublishedTable::Bouthors2006)).unwrap().len(), 10);
+    }
 }

@@ -1,8 +1,7 @@
 //! The published Appendix B as inputs of generation, with a Henyey–Greenstein function for the cloud's.
 
 use stratiform_artifact::{
-    FittedParameter, MediumRecord, ParameterRow, ParameterTable, ParametersDocument, Provenance,
-    RowIncidence, read_csv,
+    FittedParameter, MediumRecord, ParameterRow, ParameterTable, ParametersDocument, Provenance, RowIncidence,
 };
 use stratiform_codegen::{Inputs, PhaseRow, PhaseTables};
 use stratiform_optics::phase::{HenyeyGreenstein, PhaseFunction};
@@ -26,8 +25,7 @@ struct PublishedRow {
 }
 
 fn published() -> Vec<PublishedRow> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/bouthors-2006/appendix-b.csv");
-    read_csv(path.as_ref()).unwrap()
+    stratiform_reference_data::rows("bouthors-2006", "appendix-b.csv").unwrap()
 }
 
 fn fitted(value: f64) -> FittedParameter {

@@ -1,7 +1,6 @@
 //! The data sets as least-squares problems.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use stratiform_fit::least_squares::{LeastSquares, numerical_jacobian};
 use stratiform_fit::{FitError, Matrix};
 
@@ -16,10 +15,7 @@ pub struct Dataset {
 }
 
 fn rows(file: &str) -> Vec<Vec<String>> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/nist-strd");
-    let mut reader =
-        csv::ReaderBuilder::new().comment(Some(b'#')).from_path(Path::new(folder).join(file)).unwrap();
-    reader.records().map(|r| r.unwrap().iter().map(str::to_owned).collect()).collect()
+    stratiform_reference_data::rows("nist-strd", file).unwrap()
 }
 
 pub fn all() -> Vec<Dataset> {

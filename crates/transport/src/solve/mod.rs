@@ -26,10 +26,12 @@ mod medium;
 mod modes;
 mod orders;
 mod quadrature;
+mod radiance;
 mod slab;
 mod solved;
 mod solver;
 
 pub use medium::SolveMedium;
+pub use radiance::{RadianceOrder, RadianceSolver, Radiances, Side, View};
 pub use solved::Solved;
 pub use solver::Solver;

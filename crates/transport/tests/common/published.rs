@@ -3,10 +3,10 @@
 //! Their rounding (5 decimals or 6 digits) is far below the standard errors of the traces held against them.
 
 use super::hg;
-use std::path::Path;
 use std::sync::Arc;
 use stratiform_optics::phase::{Isotropic, PhaseFunction, PhaseTable, Rayleigh};
 use stratiform_quantities::Incidence;
+use stratiform_reference_data::rows;
 
 pub struct Published {
     pub name: String,
@@ -20,14 +20,8 @@ pub struct Published {
 
 /// All cases of both sources.
 pub fn published() -> Vec<Published> {
-    let van_de_hulst = rows("van-de-hulst-1980/fluxes.csv").into_iter().map(van_de_hulst);
-    van_de_hulst.chain(rows("disort-tests/fluxes.csv").into_iter().map(disort)).collect()
-}
-
-fn rows(file: &str) -> Vec<Vec<String>> {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data"));
-    let text = std::fs::read_to_string(folder.join(file)).unwrap();
-    text.lines().skip(1).map(|line| line.split(',').map(str::to_owned).collect()).collect()
+    let van_de_hulst = rows("van-de-hulst-1980", "fluxes.csv").unwrap().into_iter().map(van_de_hulst);
+    van_de_hulst.chain(rows("disort-tests", "fluxes.csv").unwrap().into_iter().map(disort)).collect()
 }
 
 fn number(field: &str) -> f64 {
@@ -73,8 +67,8 @@ fn phase(name: &str) -> Arc<dyn PhaseFunction> {
 
 /// χ_l from the columns l, beta_l = (2l+1)χ_l.
 pub fn coefficients(file: &str) -> Vec<f64> {
-    let rows = rows(&format!("disort-tests/{file}"));
-    rows.iter().map(|row| number(&row[1]) / (2.0 * number(&row[0]) + 1.0)).collect()
+    let rows = rows::<(u32, f64)>("disort-tests", file).unwrap();
+    rows.iter().map(|(l, beta)| beta / f64::from(2 * l + 1)).collect()
 }
 
 fn from_coefficients(file: &str) -> PhaseTable {
