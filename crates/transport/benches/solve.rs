@@ -37,7 +37,7 @@ fn one_slab(name: &str, medium: &SolveMedium, tolerance: f64) {
     println!("{name}, {tolerance:e}: prepared in {:.1} ms", 1e3 * start.elapsed().as_secs_f64());
     let incidence = [0.3, 0.6, 1.0].map(|mu0| Incidence::beam(mu0).unwrap());
     for tau in [1.0, 5.0, 20.0, 100.0] {
-        let first = median(|| solver.clone(), |solver| solver.totals(&[tau], &incidence).unwrap());
+        let first = median(|| solver.unsolved(), |solver| solver.totals(&[tau], &incidence).unwrap());
         let kept = solver.clone();
         let solved = kept.totals(&[tau], &incidence).unwrap();
         let further = median(|| (), |()| kept.totals(&[tau], &incidence).unwrap());

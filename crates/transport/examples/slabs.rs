@@ -125,7 +125,7 @@ fn times<T>(medium: &SolveMedium, tolerance: f64, with: impl Fn(&Solver) -> T) -
     let prepared = prepare();
     let (all, _) = best(5, || with(&prepare()));
     let first = (0..9).fold(f64::INFINITY, |least, _| {
-        let fresh = prepared.clone();
+        let fresh = prepared.unsolved();
         least.min(best(1, || with(&fresh)).0)
     });
     let (further, result) = best(9, || with(&prepared));

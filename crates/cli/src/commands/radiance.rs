@@ -25,7 +25,8 @@ pub fn run(args: &SolveArgs) -> Result<Data, CliError> {
     let views = views(args);
     let medium = Medium::parse(&args.medium)?;
     let tolerance = args.tolerance.unwrap_or(TOLERANCE);
-    let solver = RadianceSolver::new(SolveMedium::from(medium.traced()), tolerance).map_err(pipeline::trace_error)?;
+    let solver =
+        RadianceSolver::new(SolveMedium::from(medium.traced()), tolerance).map_err(pipeline::trace_error)?;
     let solved = solver.radiance(&args.tau, &mu0, &views).map_err(pipeline::trace_error)?;
     let results = rows((&args.tau, &mu0, &views), &orders, &solved);
     if !args.json {
@@ -43,13 +44,15 @@ pub fn run(args: &SolveArgs) -> Result<Data, CliError> {
 }
 
 fn cosines(words: &[String]) -> Result<Vec<f64>, CliError> {
-    let cosine = |incidence| match incidence {
+    let cosine = |incidence| {
+        match incidence {
         Incidence::Beam(mu0) => Ok(mu0.get()),
         Incidence::Diffuse => Err(CliError::Input(
             "--mu0 diffuse: radiance needs a sun; by reciprocity, what diffuse light sends towards mu is the reflectance \
              and transmittance that `solve --mu0` without views lists for that mu"
                 .to_owned(),
         )),
+    }
     };
     order_rows::parse_incidences(words)?.into_iter().map(cosine).collect()
 }

@@ -29,8 +29,7 @@ pub fn run(args: &SolveArgs) -> Result<Data, CliError> {
     }
     let medium = Medium::parse(&args.medium)?;
     let tolerance = args.tolerance.unwrap_or(TOLERANCE);
-    let solver =
-        Solver::new(SolveMedium::from(medium.traced()), tolerance).map_err(pipeline::trace_error)?;
+    let solver = Solver::new(SolveMedium::from(medium.traced()), tolerance).map_err(pipeline::trace_error)?;
     let solved = solver.orders(&args.tau, &incidences, args.orders).map_err(pipeline::trace_error)?;
     let results = rows(&solved);
     if !args.json {

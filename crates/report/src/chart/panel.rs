@@ -32,12 +32,14 @@ impl Axis {
     }
 }
 
-/// A named vertical line.
+/// A named vertical line, or a name beside a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// Where.
     pub x: f64,
-    /// Its name, written at the upper end, right of the line.
+    /// Height of the point; none for a line.
+    pub y: Option<f64>,
+    /// Its name; of a line, written at the upper end, right of it.
     pub label: String,
 }
 
@@ -52,7 +54,7 @@ pub struct Panel {
     pub y: Axis,
     /// Data, the last drawn on top.
     pub series: Vec<Series>,
-    /// Reference lines.
+    /// Reference lines and names of points.
     pub marks: Vec<Mark>,
 }
 
@@ -132,6 +134,20 @@ fn grid_line(x1: f64, y1: f64, x2: f64, y2: f64) -> Markup {
 }
 
 fn draw_mark(mark: &Mark, area: &Area) -> Markup {
+    mark.y.map_or_else(|| draw_line(mark, area), |y| draw_name(mark, y, area))
+}
+
+/// Above and right of the point.
+fn draw_name(mark: &Mark, y: f64, area: &Area) -> Markup {
+    let Some((x, y)) = area.place(mark.x, y) else { return html! {} };
+    html! {
+        text x=(format!("{:.2}", x + 5.0)) y=(format!("{:.2}", y - 5.0)) font-size=(SMALL) fill="#222" {
+            (label::svg(&mark.label, SMALL))
+        }
+    }
+}
+
+fn draw_line(mark: &Mark, area: &Area) -> Markup {
     let Some(x) = area.x.position(mark.x).map(|p| p * area.width) else { return html! {} };
     // The name stands on whichever side has room.
     let fits = x + label::width(&mark.label, SMALL) + 8.0 < area.width;

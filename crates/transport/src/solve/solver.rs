@@ -84,6 +84,11 @@ impl Solver {
         &self.medium
     }
 
+    /// The same without the modes that were kept, for measuring what they cost.
+    pub fn unsolved(&self) -> Self {
+        Self { modes: Default::default(), ..self.clone() }
+    }
+
     /// The modes for `count` streams.
     fn modes(&self, count: usize) -> Cow<'_, Modes> {
         let fresh = || Modes::new(self.kernel(count), count, self.medium.albedo);

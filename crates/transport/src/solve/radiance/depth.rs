@@ -20,8 +20,11 @@ pub(super) fn second(a: f64, b: f64, c: f64) -> f64 {
     let (low, high) = (a.min(b), a.max(b));
     let (least, middle, most) = (low.min(c), low.max(high.min(c)), high.max(c));
     let (x, y) = (middle - least, most - least);
-    let rest =
-        if y < 1.0 { series(x, y) } else { (mean_exponential(x) - libm::exp(-x) * mean_exponential(y - x)) / y };
+    let rest = if y < 1.0 {
+        series(x, y)
+    } else {
+        (mean_exponential(x) - libm::exp(-x) * mean_exponential(y - x)) / y
+    };
     libm::exp(-least) * rest
 }
 

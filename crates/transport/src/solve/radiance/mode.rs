@@ -59,7 +59,8 @@ impl<'a> Mode<'a> {
             })
             .collect();
         let kernel = |parity: usize| between(&legendre, &weights(medium, m), parity);
-        let singular = |columns: Matrix| if m == 0 { jacobi::singular(columns) } else { eigen::singular(&columns) };
+        let singular =
+            |columns: Matrix| if m == 0 { jacobi::singular(columns) } else { eigen::singular(&columns) };
         let decay = decay(&streams.mu, (&kernel(0), &kernel(1)), medium.albedo, singular);
         Self { m, streams, medium, legendre, decay }
     }
@@ -78,9 +79,8 @@ impl<'a> Mode<'a> {
         let weights = weights(self.medium, self.m);
         row.iter_mut().zip(&weights).for_each(|(value, weight)| *value *= weight);
         let parity = |parity: usize| -> Vec<f64> {
-            let odd_or_even = |of: &[f64]| {
-                row.iter().zip(of).skip(parity).step_by(2).fold(0.0, |sum, (a, b)| sum + a * b)
-            };
+            let odd_or_even =
+                |of: &[f64]| row.iter().zip(of).skip(parity).step_by(2).fold(0.0, |sum, (a, b)| sum + a * b);
             self.legendre.iter().map(|of| odd_or_even(of)).collect()
         };
         let (even, odd) = (parity(0), parity(1));

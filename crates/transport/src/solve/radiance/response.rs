@@ -40,7 +40,8 @@ impl<'a> Response<'a> {
         let count = decay.len();
         let even = Matrix::from_fn(count, |i, j| phi[(j, i)] + decay[j] * slopes[j].0 * psi[(j, i)]);
         let odd = Matrix::from_fn(count, |i, j| psi[(j, i)] + slopes[j].1 * phi[(j, i)]);
-        let lit: Vec<(Vec<f64>, Vec<f64>)> = suns.iter().map(|sun| entering(mode, &decay, tau, sun)).collect();
+        let lit: Vec<(Vec<f64>, Vec<f64>)> =
+            suns.iter().map(|sun| entering(mode, &decay, tau, sun)).collect();
         let (sums, differences) = lit.into_iter().unzip();
         let amplitudes = even.solve_each(sums).into_iter().zip(odd.solve_each(differences)).collect();
         Self { mode, tau, decay, amplitudes }
@@ -76,7 +77,8 @@ impl<'a> Response<'a> {
 
 /// One way down and one way up at rate `k`, each with the scattering into it and out of it.
 fn pair(exit: &Exit, k: f64, into: (f64, f64), out: (f64, f64)) -> f64 {
-    let (same, opposite) = if exit.top { (out.0 - out.1, out.0 + out.1) } else { (out.0 + out.1, out.0 - out.1) };
+    let (same, opposite) =
+        if exit.top { (out.0 - out.1, out.0 + out.1) } else { (out.0 + out.1, out.0 - out.1) };
     (into.0 + into.1) * same * exit.via_down(k) + (into.0 - into.1) * opposite * exit.via_up(k)
 }
 

@@ -137,7 +137,8 @@ impl RadianceSolver {
         for count in LADDER {
             rungs.push(self.rung(phase, request, rules, count));
             let [.., first, second, third] = rungs.as_slice() else { continue };
-            let total: Vec<Estimate> = (0..third.len()).map(|i| settled(first[i], second[i], third[i])).collect();
+            let total: Vec<Estimate> =
+                (0..third.len()).map(|i| settled(first[i], second[i], third[i])).collect();
             let worst = total.iter().fold(0.0_f64, |worst, estimate| worst.max(excess(estimate)));
             if worst <= self.tolerance {
                 return Ok((total, count));
