@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// One timed call. The medium's moments are prepared beforehand.
+/// One timed call. The medium is prepared beforehand: its moments, and their projection on the
+/// streams.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SolverCostRow {

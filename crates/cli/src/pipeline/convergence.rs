@@ -127,10 +127,11 @@ impl Curve<'_> {
         self.rows(estimator, photons, seconds, values)
     }
 
-    /// The solver's points, each from a medium whose moments are prepared and nothing else.
+    /// The solver's points. The medium is prepared, as the tracers' tables are; the modes are not.
     fn solved(&self) -> Result<Vec<ConvergenceRow>, CliError> {
         let tau: Vec<f64> = self.truth.iter().map(|(tau, _)| *tau).collect();
         let solve = |streams| -> Result<(f64, Vec<f64>), CliError> {
+            self.solver.totals_with_streams(streams, &tau, &[self.incidence]).map_err(super::trace_error)?;
             let solver = self.solver.unsolved();
             let start = Instant::now();
             let pairs = solver.totals_with_streams(streams, &tau, &[self.incidence]);

@@ -137,11 +137,18 @@ fn draw_mark(mark: &Mark, area: &Area) -> Markup {
     mark.y.map_or_else(|| draw_line(mark, area), |y| draw_name(mark, y, area))
 }
 
-/// Above and right of the point.
+/// Where a name stands: on whichever side of `x` has room.
+fn beside(mark: &Mark, x: f64, area: &Area) -> (f64, &'static str) {
+    let fits = x + label::width(&mark.label, SMALL) + 8.0 < area.width;
+    if fits { (x + 5.0, "start") } else { (x - 5.0, "end") }
+}
+
+/// Above the point, on whichever side has room.
 fn draw_name(mark: &Mark, y: f64, area: &Area) -> Markup {
     let Some((x, y)) = area.place(mark.x, y) else { return html! {} };
+    let (at, anchor) = beside(mark, x, area);
     html! {
-        text x=(format!("{:.2}", x + 5.0)) y=(format!("{:.2}", y - 5.0)) font-size=(SMALL) fill="#222" {
+        text x=(format!("{at:.2}")) y=(format!("{:.2}", y - 5.0)) font-size=(SMALL) fill="#222" text-anchor=(anchor) {
             (label::svg(&mark.label, SMALL))
         }
     }
@@ -149,9 +156,7 @@ fn draw_name(mark: &Mark, y: f64, area: &Area) -> Markup {
 
 fn draw_line(mark: &Mark, area: &Area) -> Markup {
     let Some(x) = area.x.position(mark.x).map(|p| p * area.width) else { return html! {} };
-    // The name stands on whichever side has room.
-    let fits = x + label::width(&mark.label, SMALL) + 8.0 < area.width;
-    let (at, anchor) = if fits { (x + 5.0, "start") } else { (x - 5.0, "end") };
+    let (at, anchor) = beside(mark, x, area);
     html! {
         path d=(format!("M{x:.2} 0V{:.2}", area.height)) stroke="#666" stroke-dasharray="2 3" {}
         text x=(format!("{at:.2}")) y="14" font-size=(SMALL) fill="#444" text-anchor=(anchor) {

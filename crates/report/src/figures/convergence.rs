@@ -75,12 +75,20 @@ pub fn figure(rows: &[ConvergenceRow]) -> Figure {
 
 /// Photons or streams, at every point of the curve against time.
 fn names_of_points(curve: &Curve) -> Vec<Mark> {
-    let name = |group: &Group| Mark {
-        x: group.seconds,
-        y: Some(group.error),
-        label: if curve.name == SOLVER { format!("{}", group.photons) } else { power(group.photons) },
+    let name = |group: &Group| {
+        if curve.name == SOLVER { format!("{}", group.photons) } else { power(group.photons) }
     };
-    curve.groups.iter().map(name).collect()
+    let mut marks: Vec<Mark> = Vec::new();
+    for group in &curve.groups {
+        match marks.last_mut() {
+            // Names of points that took about as long would lie over each other.
+            Some(last) if (group.seconds / last.x - 1.0).abs() < 0.2 => {
+                last.label = format!("{}, {}", last.label, name(group));
+            }
+            _ => marks.push(Mark { x: group.seconds, y: Some(group.error), label: name(group) }),
+        }
+    }
+    marks
 }
 
 /// 30000 as 3·10⁴.

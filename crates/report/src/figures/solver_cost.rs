@@ -24,14 +24,16 @@ pub fn figure(rows: &[SolverCostRow]) -> Figure {
     let by_streams = panel("One slab, streams given", "streams", "streams per hemisphere (number)", |row| {
         row.streams as f64
     });
-    let by_tau = panel("One slab, to 1e-5", "tau", "optical thickness τ (1)", |row| row.tau);
-    let by_count = panel("Several slabs at once, to 1e-5", "thicknesses", "thicknesses (number)", |row| {
-        row.thicknesses as f64
-    });
+    let by_tau = panel("One slab, to 10^{−5}", "tau", "optical thickness τ (1)", |row| row.tau);
+    let by_count =
+        panel("Several slabs at once, to 10^{−5}", "thicknesses", "thicknesses (number)", |row| {
+            row.thicknesses as f64
+        });
     Figure {
         name: "solver-cost".to_owned(),
         title: "Cost of the deterministic solver".to_owned(),
-        caption: "Wall time of one call for one angle, moments of the phase function prepared. The modes of a medium \
+        caption: "Wall time of one call for one angle; the phase function is prepared (its moments, and their projection on \
+                  the streams). The modes of a medium \
                   serve every thickness and angle. Where a tolerance is given, the search for the streams is included: \
                   steps are steps of its ladder. Orders use all cores, totals one."
             .to_owned(),
