@@ -8,6 +8,7 @@ mod estimate;
 mod family;
 mod kolmogorov;
 mod kolmogorov_smirnov;
+mod proportions;
 mod stream;
 mod z;
 
@@ -17,5 +18,6 @@ pub use family::holm;
 pub use kolmogorov_smirnov::{
     KolmogorovSmirnov, KolmogorovSmirnovError, kolmogorov_smirnov, kolmogorov_smirnov_two_sample,
 };
+pub use proportions::{Hits, p_value_of_share, p_value_of_two};
 pub use stream::{Purpose, key, photon_stream};
 pub use z::{family_threshold, z_score};

@@ -11,6 +11,7 @@ use stratiform_quantities::{Asymmetry, Incidence, Order, SingleScatteringAlbedo}
 use stratiform_stats::{Estimate, family_threshold, z_score};
 use stratiform_transport::{Control, Stop, TraceMedium, TraceRequest, Traced, trace_half_space, trace_plain};
 
+pub mod agreement;
 pub mod published;
 
 pub fn hg(g: f64) -> Arc<dyn PhaseFunction> {
