@@ -5,7 +5,7 @@ use crate::{ReportError, input::PhaseRow};
 use std::path::Path;
 use stratiform_artifact::{
     ArtifactError, ConvergenceRow, CurvesRow, OpticsDocument, OrdersRow, ParametersDocument, PublishedRow,
-    QuadratureRow, read_json,
+    QuadratureRow, SolverCostRow, read_json,
 };
 use stratiform_quantities::{Order, Range};
 
@@ -132,6 +132,22 @@ pub fn convergence(path: &Path, rows: &[ConvergenceRow]) -> Result<(), ReportErr
                 ("seconds", row.seconds, NOT_NEGATIVE),
                 ("error", row.error, NOT_NEGATIVE),
                 ("std_error", row.std_error, NOT_NEGATIVE),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
+pub fn solver_cost(path: &Path, rows: &[SolverCostRow]) -> Result<(), ReportError> {
+    for (i, row) in rows.iter().enumerate() {
+        columns(
+            path,
+            Some(i),
+            &[
+                ("streams", row.streams as f64, POSITIVE),
+                ("tau", row.tau, NOT_NEGATIVE),
+                ("thicknesses", row.thicknesses as f64, POSITIVE),
+                ("seconds", row.seconds, NOT_NEGATIVE),
             ],
         )?;
     }

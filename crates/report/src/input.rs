@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 use std::path::{Component, Path, PathBuf};
 use stratiform_artifact::{
     ArtifactError, ConvergenceRow, CurvesRow, NotesDocument, OpticsDocument, OrdersRow, ParametersDocument,
-    PublishedRow, QuadratureRow, read_csv, read_json,
+    PublishedRow, QuadratureRow, SolverCostRow, read_csv, read_json,
 };
 
 /// One row of a phase table.
@@ -31,6 +31,7 @@ pub struct Inputs {
     pub parameters: ParametersDocument,
     pub sphere: Option<Vec<PhaseRow>>,
     pub convergence: Option<Vec<ConvergenceRow>>,
+    pub solver_cost: Option<Vec<SolverCostRow>>,
     pub quadrature: Option<Vec<QuadratureRow>>,
     pub published: Option<Vec<PublishedRow>>,
     pub curves: Option<Vec<CurvesRow>>,
@@ -41,6 +42,7 @@ pub struct Inputs {
 pub mod optional {
     pub const SPHERE: &str = "optics/sphere.csv";
     pub const CONVERGENCE: &str = "convergence.csv";
+    pub const SOLVER_COST: &str = "solver_cost.csv";
     pub const QUADRATURE: &str = "optics/quadrature.csv";
     pub const PUBLISHED: &str = "published.csv";
     pub const CURVES: &str = "curves.csv";
@@ -67,6 +69,7 @@ impl Inputs {
                 .map_err(missing("fluxes per scattering order"))?,
             sphere: optional_table(&dir.join(optional::SPHERE), checks::phase)?,
             convergence: optional_table(&dir.join(optional::CONVERGENCE), checks::convergence)?,
+            solver_cost: optional_table(&dir.join(optional::SOLVER_COST), checks::solver_cost)?,
             quadrature: optional_table(&dir.join(optional::QUADRATURE), checks::quadrature)?,
             published: optional_table(&dir.join(optional::PUBLISHED), checks::published)?,
             curves: optional_table(&dir.join(optional::CURVES), checks::curves)?,
@@ -152,6 +155,7 @@ impl Inputs {
             lacking(self.published.is_none(), "the published parameters", optional::PUBLISHED),
             lacking(self.notes.is_none(), "the reasons why the published table differs", optional::NOTES),
             lacking(self.convergence.is_none(), "the convergence figure", optional::CONVERGENCE),
+            lacking(self.solver_cost.is_none(), "the cost of the solver", optional::SOLVER_COST),
             lacking(self.quadrature.is_none(), "the convergence of the size average", optional::QUADRATURE),
         ]
         .into_iter()

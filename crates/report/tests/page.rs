@@ -112,6 +112,7 @@ fn optional_files_may_be_absent_and_the_page_says_so() {
     for file in [
         "optics/sphere.csv",
         "convergence.csv",
+        "solver_cost.csv",
         "optics/quadrature.csv",
         "published.csv",
         "curves.csv",
@@ -124,6 +125,7 @@ fn optional_files_may_be_absent_and_the_page_says_so() {
     let all = [
         "optics/sphere.csv",
         "convergence.csv",
+        "solver_cost.csv",
         "optics/quadrature.csv",
         "published.csv",
         "curves.csv",

@@ -13,6 +13,7 @@ mod quadrature;
 pub mod reference;
 mod run;
 pub mod solved;
+mod solver_cost;
 pub mod source;
 mod stage;
 mod table;

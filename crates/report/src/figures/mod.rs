@@ -7,6 +7,7 @@ mod orders;
 mod parameters;
 mod phase;
 mod quadrature;
+mod solver_cost;
 
 use crate::chart::Figure;
 use crate::input::Inputs;
@@ -19,6 +20,7 @@ pub fn all(inputs: &Inputs) -> Vec<Figure> {
     figures.push(parameters::figure(inputs));
     figures.push(misfit::figure(inputs));
     figures.extend(inputs.convergence.as_deref().map(convergence::figure));
+    figures.extend(inputs.solver_cost.as_deref().map(solver_cost::figure));
     figures.extend(inputs.quadrature.as_deref().map(quadrature::figure));
     figures
 }

@@ -52,7 +52,7 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
                         (drawn(named("droplet")))
                         (drawn(named("phase")))
                     }
-                    section id="convergence" { h2 { "Convergence" } (drawn(named("convergence"))) (drawn(named("quadrature"))) }
+                    section id="convergence" { h2 { "Convergence" } (drawn(named("convergence"))) (drawn(named("solver-cost"))) (drawn(named("quadrature"))) }
                     section id="numbers" { h2 { "All numbers" } (details::tables(inputs)) }
                     section id="glossary" { h2 { "Symbols and units" } (glossary::list()) }
                     section id="provenance" { h2 { "Provenance" } (provenance::table(inputs)) }

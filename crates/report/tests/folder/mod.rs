@@ -50,6 +50,7 @@ pub fn write(dir: &Path) {
     write_phase(&dir.join("optics/sphere.csv"), 0.87, 0.8);
     write_csv(&dir.join("orders.csv"), &orders()).unwrap();
     write_csv(&dir.join("convergence.csv"), &convergence()).unwrap();
+    write_csv(&dir.join("solver_cost.csv"), &solver_cost()).unwrap();
     write_csv(&dir.join("optics/quadrature.csv"), &quadrature()).unwrap();
     write_json(&dir.join("parameters.json"), &parameters()).unwrap();
     write_csv(&dir.join("published.csv"), &published()).unwrap();
@@ -281,6 +282,36 @@ pub fn convergence() -> Vec<ConvergenceRow> {
                     std_error,
                 });
             }
+        }
+    }
+    for (rung, streams) in [4, 8, 16, 32].into_iter().enumerate() {
+        rows.push(ConvergenceRow {
+            estimator: "solver".to_owned(),
+            theta_l_deg: 40.0,
+            tau: 5.0,
+            order: "total".to_owned(),
+            photons: streams,
+            seconds: 1e-6 * (streams * streams) as f64,
+            error: libm::pow(10.0, -2.0 - rung as f64),
+            std_error: libm::pow(10.0, -1.5 - rung as f64),
+        });
+    }
+    rows
+}
+
+pub fn solver_cost() -> Vec<SolverCostRow> {
+    let mut rows = Vec::new();
+    for (against, task) in ["streams", "tau", "thicknesses"].into_iter().zip(["first", "further", "orders"]) {
+        for exponent in 0..5 {
+            let count = 4 << exponent;
+            rows.push(SolverCostRow {
+                against: against.to_owned(),
+                task: task.to_owned(),
+                streams: count,
+                tau: 0.1 * count as f64,
+                thicknesses: count,
+                seconds: 1e-7 * (count * count) as f64,
+            });
         }
     }
     rows
