@@ -41,7 +41,7 @@ const COLUMNS: [&str; 9] =
 fn cells(summary: &Summary<'_>) -> [String; 9] {
     let worst = summary.worst;
     [
-        summary.quantity.to_owned(),
+        summary.label.clone(),
         summary.compared.to_string(),
         summary.failed.to_string(),
         format!("{:.2}", worst.severity()),
@@ -57,7 +57,7 @@ fn cells(summary: &Summary<'_>) -> [String; 9] {
 fn offence(one: &Comparison) -> String {
     format!(
         "{} at {}: {}, truth {}, off by {}, bound {}",
-        one.quantity,
+        one.label(),
         one.place,
         short(one.value),
         short(one.truth),

@@ -30,7 +30,7 @@ pub fn check(config: &Config, media: &Media, file: &Path) -> Result<Vec<Comparis
     let bounds = rows.iter().map(|row| bound_of(config, row, file)).collect::<Result<Vec<_>, _>>()?;
     let truths = truths(config, media, &rows, file)?;
     let compare = |((row, bound), truth): ((&ValueRow, Bound), Estimate)| Comparison {
-        quantity: format!("{} order {}", row.quantity, row.order),
+        quantity: row.quantity.to_string(),
         place: row.place(),
         value: row.value,
         truth: truth.value,
@@ -59,6 +59,7 @@ impl ValueRow {
             theta_v_deg: self.theta_v_deg,
             phi_deg: self.phi_deg,
             tau: Some(self.tau),
+            order: Some(self.order),
             ..Place::of(self.theta_l_deg.clone())
         }
     }
