@@ -22,7 +22,7 @@ pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
         return store_counts(&mut config, args, file, talk);
     }
     override_tracer(&mut config, args)?;
-    let cloud = pipeline::optics::at_transport_wavelength(&config)?;
+    let cloud = cloud(&config)?;
     if let Some(file) = &args.points {
         write_csv(file, &values::points(&config, &cloud.tau(&config)))?;
         return Ok(format!("{}\n", file.display()));
@@ -35,6 +35,13 @@ pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
         None => own(&config, args, &cloud, talk)?,
     };
     render(&config, args, &verdict)
+}
+
+/// The cloud at the wavelength of the transport: the others are not needed.
+fn cloud(config: &Config) -> Result<Cloud, CliError> {
+    let mut config = config.clone();
+    config.optics.wavelengths_um = vec![config.transport.wavelength_um];
+    pipeline::optics::at_transport_wavelength(&config)
 }
 
 /// A path of the config, which is relative to its folder.
@@ -98,7 +105,7 @@ fn store_counts(config: &mut Config, args: &CheckArgs, file: &Path, talk: Talk) 
     tracer.stored_seed = args.seed.unwrap_or(tracer.stored_seed);
     let tracer = tracer.clone();
     config.check_again()?;
-    let cloud = pipeline::optics::at_transport_wavelength(config)?;
+    let cloud = cloud(config)?;
     let rows = counts::trace(config, &cloud, &tracer, tracer.stored_photons, tracer.stored_seed, talk)?;
     write_csv(file, &rows)?;
     Ok(format!("{}\n", file.display()))
