@@ -3,6 +3,7 @@
 //! A stage reads and writes these types and knows no other stage's code. Documents are JSON, tables CSV;
 //! both keep every bit of an `f64`. Field names carry units. A file appears whole or not at all.
 
+mod agreement;
 mod atomic;
 mod convergence;
 mod curves;
@@ -15,8 +16,10 @@ mod orders;
 mod parameters;
 mod provenance;
 mod quadrature;
+mod radiance;
 mod table;
 
+pub use agreement::{AgreementDocument, AgreementRow};
 pub use atomic::{create_folder, read_text, write_atomic};
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
@@ -34,4 +37,5 @@ pub use parameters::{
 };
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
+pub use radiance::{Face, RadianceDocument, RadianceResult};
 pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};

@@ -2,6 +2,13 @@
 //!
 //! Every section belongs to the crate that uses it. Unknown keys are refused. A number outside its domain is
 //! reported with the line on which its key stands.
+//!
+//! **Source.** `transport.source` says what the model is fitted to: `solve`, the deterministic solver, or `trace`,
+//! photons. The objective is the same. `solve` is the default: its fluxes have no noise, their error is estimated and a
+//! hundred times below what photons reach in the same seconds, so that the table does not depend on a seed and a
+//! difference between two tables is a difference of media. What it gives up is independence (solver and model share no
+//! code, but a fault of the solver would pass into the table); hence with `photons` given the table's incidences are also
+//! traced, and both tables must agree.
 
 use crate::CliError;
 use crate::check::config::{CheckConfig, Refused};
@@ -34,8 +41,9 @@ pub struct Config {
     pub fit: FitConfig,
     /// Accepted artifacts and emitted text.
     pub codegen: CodegenConfig,
-    /// How the convergence figure is made.
-    pub convergence: ConvergenceConfig,
+    /// How the convergence figures are made; absent: they are not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub convergence: Option<ConvergenceConfig>,
     /// What `check` accepts.
     pub check: CheckConfig,
 }
@@ -46,6 +54,24 @@ pub enum PublishedTable {
     /// Appendix B of Bouthors, Neyret & Lefebvre 2006.
     #[serde(rename = "bouthors-2006")]
     Bouthors2006,
+}
+
+/// What computes the fluxes that the model is fitted to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Source {
+    /// Half-space photon tracer.
+    Trace,
+    /// Discrete ordinates.
+    #[default]
+    Solve,
+}
+
+/// Estimated error of solved fluxes where the config does not say.
+const TOLERANCE: f64 = 1e-6;
+
+fn default_tolerance() -> f64 {
+    TOLERANCE
 }
 
 /// `[transport]`.
@@ -63,12 +89,22 @@ pub struct TransportConfig {
     pub totals_medium: Medium,
     /// Medium of the orders that κ_c, t and r are fitted to.
     pub orders_medium: Medium,
-    /// Photons per incidence and medium.
-    pub photons: u64,
-    /// The same at the angles half-way between those of the fit, which tell the table's interpolation error.
-    pub photons_between: u64,
-    /// Seed of the random streams.
-    pub seed: u64,
+    /// What the model is fitted to.
+    #[serde(default)]
+    pub source: Source,
+    /// Largest estimated error of a solved flux, absolute.
+    #[serde(default = "default_tolerance")]
+    pub tolerance: f64,
+    /// Photons per incidence of the table and medium. Needed by `trace`; with `solve` they are the witness.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub photons: Option<u64>,
+    /// The same at the angles half-way between those of the fit, which tell the table's interpolation error. Needed by
+    /// `trace`; `solve` traces nothing there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub photons_between: Option<u64>,
+    /// Seed of the random streams; needed where there are photons.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seed: Option<u64>,
 }
 
 /// `[codegen]`: paths are relative to the config file.
@@ -140,7 +176,7 @@ impl Config {
         self.optics.resolve()?;
         self.fit.check()?;
         self.transport.validate(&self.optics)?;
-        self.convergence.validate(&self.fit)?;
+        self.convergence.iter().try_for_each(|convergence| convergence.validate(&self.fit))?;
         self.check.validate()?;
         let kappa = 1e6
             * self.optics.number_density_per_cm3
@@ -177,8 +213,12 @@ fn photons(key: &str, count: u64) -> Result<(), DomainError> {
 
 impl TransportConfig {
     fn validate(&self, optics: &OpticsConfig) -> Result<(), Fault> {
-        photons("transport.photons", self.photons)?;
-        photons("transport.photons_between", self.photons_between)?;
+        self.photons.iter().try_for_each(|n| photons("transport.photons", *n))?;
+        self.photons_between.iter().try_for_each(|n| photons("transport.photons_between", *n))?;
+        // As the solver allows, said with the key's line.
+        let tolerances = Range { max_included: false, ..Range::closed(1e-12, 1.0) };
+        tolerances.check("transport.tolerance", self.tolerance)?;
+        self.validate_presence()?;
         if optics.wavelengths_um.contains(&self.wavelength_um) {
             return Ok(());
         }
@@ -188,6 +228,47 @@ impl TransportConfig {
         );
         Err(Fault { key: Some("transport.wavelength_um".to_owned()), message })
     }
+
+    /// Keys that others need: `trace` all that photons need, photons a seed.
+    fn validate_presence(&self) -> Result<(), Fault> {
+        match (self.source, self.photons, self.seed) {
+            (Source::Trace, _, _) => self.tracing().map(|_| ()),
+            (Source::Solve, Some(_), None) => Err(missing("seed", "photons", "photons")),
+            (Source::Solve, _, _) => Ok(()),
+        }
+    }
+
+    /// Photons at the table's incidences and half-way, and the seed.
+    fn tracing(&self) -> Result<[u64; 3], Fault> {
+        let key =
+            |name, value: Option<u64>| value.ok_or_else(|| missing(name, "source = \"trace\"", "source"));
+        let photons = key("photons", self.photons)?;
+        Ok([photons, key("photons_between", self.photons_between)?, key("seed", self.seed)?])
+    }
+
+    /// What `source = "trace"` needs: photons at the table's incidences and half-way, and the seed.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] naming the key that is missing.
+    pub fn photons_and_seed_of_trace(&self) -> Result<[u64; 3], CliError> {
+        self.tracing().map_err(|fault| CliError::Input(fault.message))
+    }
+
+    /// The section without what the fluxes of `source` do not depend on.
+    #[must_use]
+    pub fn that_counts(&self, source: Source) -> Self {
+        match source {
+            Source::Trace => Self { source, tolerance: TOLERANCE, ..self.clone() },
+            Source::Solve => {
+                Self { source, photons: None, photons_between: None, seed: None, ..self.clone() }
+            }
+        }
+    }
+}
+
+fn missing(key: &str, needed_by: &str, place: &str) -> Fault {
+    let message = format!("transport.{key} is missing: {needed_by} needs it");
+    Fault { key: Some(format!("transport.{place}")), message }
 }
 
 impl ConvergenceConfig {

@@ -148,11 +148,7 @@ impl Inputs {
         let lacking = |absent: bool, what, file| absent.then_some(LeftOut { what, file });
         [
             lacking(self.sphere.is_none(), "the single droplet in the phase functions", optional::SPHERE),
-            lacking(
-                self.curves.is_none(),
-                "the model curves beside the Monte Carlo points",
-                optional::CURVES,
-            ),
+            lacking(self.curves.is_none(), "the model curves beside the reference points", optional::CURVES),
             lacking(self.published.is_none(), "the published parameters", optional::PUBLISHED),
             lacking(self.notes.is_none(), "the reasons why the published table differs", optional::NOTES),
             lacking(self.convergence.is_none(), "the convergence figure", optional::CONVERGENCE),

@@ -53,9 +53,8 @@ impl Place {
 impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "theta_l {}", self.theta_l_deg)?;
-        let mut part = |name: &str, value: Option<String>| {
-            value.map_or(Ok(()), |value| write!(f, ", {name} {value}"))
-        };
+        let mut part =
+            |name: &str, value: Option<String>| value.map_or(Ok(()), |value| write!(f, ", {name} {value}"));
         part("theta_v", self.theta_v_deg.map(|theta| theta.to_string()))?;
         part("phi", self.phi_deg.map(|phi| phi.to_string()))?;
         part("tau", self.tau.map(|tau| super::report::short(tau)))?;

@@ -129,8 +129,10 @@ impl TracerConfig {
         }
         if self.seed == self.stored_seed {
             let key = "check.tracer.seed";
-            let message =
-                format!("{key} = {} is also that of the stored counts: its photons would not be fresh", self.seed);
+            let message = format!(
+                "{key} = {} is also that of the stored counts: its photons would not be fresh",
+                self.seed
+            );
             return Err(Refused { key: key.to_owned(), message });
         }
         Ok(())

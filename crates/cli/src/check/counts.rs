@@ -4,9 +4,10 @@ use crate::CliError;
 use crate::check::config::TracerConfig;
 use crate::config::Config;
 use crate::output::Talk;
+use crate::pipeline::fluxes;
 use crate::pipeline::input_error;
 use crate::pipeline::optics::Cloud;
-use crate::pipeline::reference::{Media, Plan, TracedIncidence, node_rows};
+use crate::pipeline::reference::{Media, Plan, TracedIncidence};
 use crate::progress;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsStr;
@@ -59,7 +60,7 @@ pub fn trace(
     seed: u64,
     talk: Talk,
 ) -> Result<Vec<CountRow>, CliError> {
-    let plan = Plan { rows: node_rows(config), tau: tracer.tau.clone(), photons, seed };
+    let plan = Plan { rows: fluxes::nodes(config), tau: tracer.tau.clone(), photons, seed };
     let bar = progress::bar(plan.histories(), "photons", talk.quiet);
     let traced = plan.trace(&Media::new(config, cloud)?, &|done| bar.set_position(done))?;
     bar.finish_and_clear();

@@ -9,7 +9,7 @@ use super::truth::Truth;
 use super::{Comparison, Place};
 use crate::CliError;
 use crate::config::Config;
-use crate::pipeline::reference::{Media, node_rows};
+use crate::pipeline::{fluxes, reference::Media};
 use crate::pipeline::{input_error, optics::Cloud};
 use stratiform_artifact::{ParametersDocument, RowIncidence};
 use stratiform_codegen::{diffuse_parameters, parameter_grid};
@@ -34,7 +34,7 @@ impl ModelTruth {
     /// # Errors
     /// As [`Truth::solve`].
     pub fn solve(config: &Config, cloud: &Cloud, media: &Media) -> Result<Self, CliError> {
-        let mut rows = node_rows(config);
+        let mut rows = fluxes::nodes(config);
         let nodes = rows.len();
         rows.extend(between(config));
         let tau = cloud.tau(config);
@@ -144,7 +144,7 @@ fn between(config: &Config) -> impl Iterator<Item = RowIncidence> {
 
 /// Every incidence that the bounds are about: of the table, then half-way between.
 pub fn held_rows(config: &Config) -> Vec<RowIncidence> {
-    let nodes = node_rows(config).into_iter().filter(|row| config.check.model.hold(row));
+    let nodes = fluxes::nodes(config).into_iter().filter(|row| config.check.model.hold(row));
     nodes.chain(between(config)).collect()
 }
 

@@ -97,8 +97,7 @@ fn largest_difference(fresh: Hits, stored: Hits, alpha: f64) -> f64 {
     let lowest = below - last(below, |steps| agrees(below - steps));
     let highest = above + last(fresh.trials - above, |steps| agrees(above + steps));
     let off = |hits: u64| (Hits { hits, ..fresh }.share() - stored.share()).abs();
-    let (own, end) =
-        if fresh.hits as f64 >= centre { (highest, fresh.trials) } else { (lowest, 0) };
+    let (own, end) = if fresh.hits as f64 >= centre { (highest, fresh.trials) } else { (lowest, 0) };
     if own == end { off(lowest).max(off(highest)) } else { off(own) }
 }
 

@@ -3,8 +3,7 @@
 use crate::CliError;
 use crate::check::config::CheckConfig;
 use crate::config::Config;
-use crate::pipeline;
-use crate::pipeline::reference::{Media, light};
+use crate::pipeline::{self, fluxes::light, reference::Media};
 use stratiform_artifact::RowIncidence;
 use stratiform_quantities::Order;
 use stratiform_stats::Estimate;
@@ -32,15 +31,13 @@ impl Truth {
         tau: &[f64],
         max_order: u32,
     ) -> Result<Self, CliError> {
-        let incidences =
-            rows.iter().map(light).collect::<Result<Vec<_>, _>>().map_err(pipeline::trace_error)?;
+        let incidences = rows.iter().map(light).collect::<Result<Vec<_>, _>>()?;
         let CheckConfig { tolerance, .. } = config.check;
         let transport = &config.transport;
         let solver = |medium| Solver::new(media.get(medium).into(), tolerance);
         let solve = || {
             let totals = solver(transport.totals_medium)?.totals(tau, &incidences)?;
-            let orders =
-                solver(transport.orders_medium)?.orders(tau, &incidences, max_order.max(LISTED))?;
+            let orders = solver(transport.orders_medium)?.orders(tau, &incidences, max_order.max(LISTED))?;
             Ok(Self { totals, orders })
         };
         solve().map_err(|error| pipeline::trace_error(error).at("the deterministic truth"))

@@ -81,7 +81,11 @@ fn render(config: &Config, args: &CheckArgs, verdict: &Verdict) -> Result<Data, 
             write_atomic(file, text.as_bytes())?;
         }
     }
-    if verdict.passes() { Ok(data) } else { Err(CliError::Unmet { message: report::headline(verdict), data }) }
+    if verdict.passes() {
+        Ok(data)
+    } else {
+        Err(CliError::Unmet { message: report::headline(verdict), data })
+    }
 }
 
 fn override_tracer(config: &mut Config, args: &CheckArgs) -> Result<(), CliError> {

@@ -3,7 +3,7 @@
 use super::optics::Cloud;
 use super::reference::Media;
 use crate::CliError;
-use crate::config::Config;
+use crate::config::{Config, ConvergenceConfig};
 use crate::output::Talk;
 use crate::{interrupt, progress};
 use std::path::Path;
@@ -19,7 +19,8 @@ type Tracer = fn(&TraceMedium, &TraceRequest, Control<'_>) -> Result<Traced, Tra
 
 /// What every point of the curves shares.
 struct Curve<'a> {
-    config: &'a Config,
+    settings: &'a ConvergenceConfig,
+    seed: u64,
     media: Media,
     /// Thicknesses, each with the reference's total reflectance.
     truth: Vec<(f64, f64)>,
@@ -31,22 +32,30 @@ struct Curve<'a> {
 ///
 /// # Errors
 /// [`CliError::Interrupted`], or [`CliError::Input`] if the angle is none of the reference's or a file fails.
-pub fn write(config: &Config, cloud: &Cloud, dir: &Path, talk: Talk) -> Result<Vec<String>, CliError> {
-    let reference = reference(dir, config.convergence.theta_l_deg)?;
-    let truth = thicknesses(config).iter().map(|k| (cloud.tau(config)[*k], reference[*k])).collect();
-    let curve = Curve { config, media: Media::new(config, cloud)?, truth, talk };
-    let mut rows = curve.points("plain", trace_plain, &config.convergence.plain_photons)?;
-    rows.extend(curve.points("half-space", trace_half_space, &config.convergence.half_space_photons)?);
+pub fn write(
+    config: &Config,
+    settings: &ConvergenceConfig,
+    cloud: &Cloud,
+    dir: &Path,
+    talk: Talk,
+) -> Result<Vec<String>, CliError> {
+    let reference = reference(dir, settings.theta_l_deg)?;
+    let truth =
+        thicknesses(config, settings).iter().map(|k| (cloud.tau(config)[*k], reference[*k])).collect();
+    let seed = config.transport.seed.unwrap_or_default();
+    let curve = Curve { settings, seed, media: Media::new(config, cloud)?, truth, talk };
+    let mut rows = curve.points("plain", trace_plain, &settings.plain_photons)?;
+    rows.extend(curve.points("half-space", trace_half_space, &settings.half_space_photons)?);
     write_csv(&dir.join("convergence.csv"), &rows)?;
     Ok(vec!["convergence.csv".to_owned()])
 }
 
 /// Places in the fit's grid that are nearest to the thicknesses asked for, each once.
-fn thicknesses(config: &Config) -> Vec<usize> {
+fn thicknesses(config: &Config, settings: &ConvergenceConfig) -> Vec<usize> {
     let grid = config.fit.thickness_m.metres();
     let away = |k: &usize, wanted: f64| libm::log(grid[*k] / wanted).abs();
     let nearest = |wanted: &f64| (0..grid.len()).min_by(|a, b| away(a, *wanted).total_cmp(&away(b, *wanted)));
-    let mut places: Vec<_> = config.convergence.thickness_m.iter().filter_map(nearest).collect();
+    let mut places: Vec<_> = settings.thickness_m.iter().filter_map(nearest).collect();
     places.sort_unstable();
     places.dedup();
     places
@@ -81,11 +90,11 @@ impl Curve<'_> {
     fn request(&self, photons: u64) -> Result<TraceRequest, CliError> {
         Ok(TraceRequest {
             tau: self.truth.iter().map(|(tau, _)| *tau).collect(),
-            incidence: Incidence::beam(cos_degrees(self.config.convergence.theta_l_deg))?,
+            incidence: Incidence::beam(cos_degrees(self.settings.theta_l_deg))?,
             stop: Stop::Photons(photons),
             max_order: 0,
             // Other photons than the reference's, and others for each point.
-            seed: self.config.transport.seed ^ photons.wrapping_mul(0x9e37_79b9_7f4a_7c15),
+            seed: self.seed ^ photons.wrapping_mul(0x9e37_79b9_7f4a_7c15),
             stream: 0,
         })
     }
@@ -95,7 +104,7 @@ impl Curve<'_> {
             let reflectance = traced.estimate(index, Order::Total).0;
             ConvergenceRow {
                 estimator: estimator.to_owned(),
-                theta_l_deg: self.config.convergence.theta_l_deg,
+                theta_l_deg: self.settings.theta_l_deg,
                 tau: *tau,
                 order: Order::Total.to_string(),
                 photons,

@@ -1,18 +1,23 @@
-//! The chain in order: optics, reference, fit, codegen, convergence, notes, report. Each stage leaves files and is
+//! The chain in order: optics, reference, fit, codegen, witness, agreement, convergence, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;
+mod agreement;
 mod convergence;
 mod curves;
+pub mod fluxes;
 mod notes;
 pub mod optics;
 mod published;
 mod quadrature;
 pub mod reference;
 mod run;
+pub mod solved;
+pub mod source;
 mod stage;
 mod table;
 
+pub use agreement::read as read_agreement;
 pub use run::{Target, provenance, run};
 pub use table::parameter_table;
 
@@ -31,7 +36,7 @@ pub fn input_error(error: impl std::fmt::Display) -> CliError {
 pub fn trace_error(error: TransportError) -> CliError {
     match error {
         TransportError::Cancelled => CliError::Interrupted,
-        TransportError::Books { .. } | TransportError::Tolerance { .. } => {
+        TransportError::Books { .. } | TransportError::Tolerance { .. } | TransportError::Rule { .. } => {
             CliError::Failed(error.to_string())
         }
         other => input_error(other),

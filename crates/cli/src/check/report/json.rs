@@ -104,7 +104,11 @@ pub fn to_json(verdict: &Verdict, provenance: &Provenance, worst: usize) -> Resu
         compared: verdict.compared(),
         failed: failures.len(),
         parts: parts.collect(),
-        offenders: failures.iter().take(worst).map(|(part, one)| Record::of(&part.to_string(), one)).collect(),
+        offenders: failures
+            .iter()
+            .take(worst)
+            .map(|(part, one)| Record::of(&part.to_string(), one))
+            .collect(),
     };
     Ok(stratiform_artifact::to_json(&document)?)
 }

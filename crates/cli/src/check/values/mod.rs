@@ -66,12 +66,7 @@ impl ValueRow {
 }
 
 /// The truth of every row, in their order.
-fn truths(
-    config: &Config,
-    media: &Media,
-    rows: &[ValueRow],
-    file: &Path,
-) -> Result<Vec<Estimate>, CliError> {
+fn truths(config: &Config, media: &Media, rows: &[ValueRow], file: &Path) -> Result<Vec<Estimate>, CliError> {
     if let Some(row) = rows.iter().find(|row| row.quantity.is_radiance()) {
         return Err(radiance(row).at(&row.line_of(file)));
     }

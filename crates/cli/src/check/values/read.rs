@@ -10,8 +10,7 @@ use stratiform_artifact::{RowIncidence, read_text};
 use stratiform_quantities::{OpticalThickness, Order, Range};
 
 /// The columns.
-pub const COLUMNS: [&str; 7] =
-    ["quantity", "theta_l_deg", "theta_v_deg", "phi_deg", "tau", "order", "value"];
+pub const COLUMNS: [&str; 7] = ["quantity", "theta_l_deg", "theta_v_deg", "phi_deg", "tau", "order", "value"];
 
 /// Angles to the slab's normal, degrees.
 const ZENITH: Range = Range::closed(0.0, 90.0);
@@ -89,7 +88,10 @@ fn places(header: &StringRecord) -> Result<[usize; 7], String> {
     Ok(places)
 }
 
-fn row([quantity, theta_l, theta_v, phi, tau, order, value]: [&str; 7], line: u64) -> Result<ValueRow, String> {
+fn row(
+    [quantity, theta_l, theta_v, phi, tau, order, value]: [&str; 7],
+    line: u64,
+) -> Result<ValueRow, String> {
     let quantity: Quantity = quantity.parse()?;
     let row = ValueRow {
         line,
@@ -188,7 +190,10 @@ mod tests {
             ("", "v.csv: the file is empty"),
             ("quantity,theta_l_deg\n", "v.csv:1: column `theta_v_deg` is missing"),
             ("#\nquantity,theta_l_deg\n", "v.csv:2: column"),
-            ("value,quantity,theta_l_deg,theta_v_deg,phi_deg,tau,order,value\n", "`value` stands there twice"),
+            (
+                "value,quantity,theta_l_deg,theta_v_deg,phi_deg,tau,order,value\n",
+                "`value` stands there twice",
+            ),
         ];
         for (text, says) in cases {
             let error = parse(text).unwrap_err();
