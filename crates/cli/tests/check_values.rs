@@ -54,7 +54,10 @@ fn true_values_pass_and_errors_just_above_the_bound_do_not() {
     let output = run(dir.path(), &check);
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(text.contains("worst offenders (4 of 4)\n  values: transmittance order total at theta_l"), "{text}");
+    assert!(
+        text.contains("worst offenders (4 of 4)\n  values: transmittance order total at theta_l"),
+        "{text}"
+    );
 }
 
 #[test]

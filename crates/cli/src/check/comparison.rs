@@ -80,7 +80,9 @@ pub struct Comparison {
 impl Comparison {
     /// The quantity, with its order if it has one.
     pub fn label(&self) -> String {
-        self.place.order.map_or_else(|| self.quantity.clone(), |order| format!("{} order {order}", self.quantity))
+        self.place
+            .order
+            .map_or_else(|| self.quantity.clone(), |order| format!("{} order {order}", self.quantity))
     }
 
     /// Number less truth.

@@ -138,8 +138,7 @@ impl ModelTruth {
 
 /// The angles half-way between those of the table, up to the bounds' angle.
 fn between(config: &Config) -> impl Iterator<Item = RowIncidence> {
-    let middle = |pair: &[f64]| RowIncidence::Degrees(0.5 * (pair[0] + pair[1]));
-    config.fit.theta_l_deg.windows(2).map(middle).filter(|row| config.check.model.hold(row))
+    fluxes::between(config).into_iter().filter(|row| config.check.model.hold(row))
 }
 
 /// Every incidence that the bounds are about: of the table, then half-way between.

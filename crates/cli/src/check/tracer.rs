@@ -157,7 +157,11 @@ mod tests {
         let (a, b) = (row(Order::Total, 10, 5, 5), row(Order::Exactly(0), 10, 0, 5));
         assert_eq!(compare(std::slice::from_ref(&b), std::slice::from_ref(&b), 0.1).unwrap().len(), 1);
         let both = [a.clone(), b];
-        assert!(compare(&both, std::slice::from_ref(&a), 0.1).unwrap_err().contains("no counts at theta_l diffuse, tau 1, medium full, order 0"));
+        assert!(
+            compare(&both, std::slice::from_ref(&a), 0.1)
+                .unwrap_err()
+                .contains("no counts at theta_l diffuse, tau 1, medium full, order 0")
+        );
         assert!(compare(std::slice::from_ref(&a), &both, 0.1).unwrap_err().contains("counts nothing"));
     }
 }
