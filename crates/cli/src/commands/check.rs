@@ -22,6 +22,7 @@ pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
         return store_counts(&mut config, args, file, talk);
     }
     override_tracer(&mut config, args)?;
+    can_be_written(args)?;
     let cloud = cloud(&config)?;
     if let Some(file) = &args.points {
         write_csv(file, &values::points(&config, &cloud.tau(&config)))?;
@@ -35,6 +36,18 @@ pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
         None => own(&config, args, &cloud, talk)?,
     };
     render(&config, args, &verdict)
+}
+
+/// Looks for the folders of what is to be written before any work is done.
+fn can_be_written(args: &CheckArgs) -> Result<(), CliError> {
+    let files = [&args.junit, &args.markdown, &args.points].into_iter().flatten();
+    let folder = |file: &Path| file.parent().filter(|p| *p != Path::new("")).map(Path::to_owned);
+    match files.filter_map(|file| folder(file)).find(|folder| !folder.is_dir()) {
+        Some(folder) => {
+            Err(CliError::Input(format!("cannot write to {}: it is no folder", folder.display())))
+        }
+        None => Ok(()),
+    }
 }
 
 /// The cloud at the wavelength of the transport: the others are not needed.

@@ -11,7 +11,7 @@ pub use points::{Point, points};
 pub use read::{COLUMNS, ValueRow, read};
 
 use super::config::{Bound, Quantity, bound};
-use super::truth::Truth;
+use super::truth::Solvers;
 use super::{Comparison, Place};
 use crate::CliError;
 use crate::config::Config;
@@ -24,7 +24,7 @@ use stratiform_stats::Estimate;
 /// Holds the values of `file` against the truth within the bounds of `[check.values]`.
 ///
 /// # Errors
-/// [`CliError::Input`] with file and line for rows that mean nothing or have no bound; as [`Truth::solve`].
+/// [`CliError::Input`] with file and line for rows that mean nothing or have no bound; as [`Solvers::solve`].
 pub fn check(config: &Config, media: &Media, file: &Path) -> Result<Vec<Comparison>, CliError> {
     let rows = read(file)?;
     let bounds = rows.iter().map(|row| bound_of(config, row, file)).collect::<Result<Vec<_>, _>>()?;
@@ -70,13 +70,14 @@ fn truths(config: &Config, media: &Media, rows: &[ValueRow], file: &Path) -> Res
     if let Some(row) = rows.iter().find(|row| row.quantity.is_radiance()) {
         return Err(radiance(row).at(&row.line_of(file)));
     }
+    let solvers = Solvers::new(config, media)?;
     let mut truths = vec![None; rows.len()];
     for group in groups(rows) {
         let listed = group.members.iter().filter_map(|&i| match rows[i].order {
             Order::Exactly(n) => Some(n),
             _ => None,
         });
-        let truth = Truth::solve(config, media, &group.incidences, &group.tau, listed.max().unwrap_or(0))?;
+        let truth = solvers.solve(&group.incidences, &group.tau, listed.max().unwrap_or(0))?;
         for &i in &group.members {
             truths[i] = group.place(&rows[i]).map(|(incidence, tau)| {
                 let (reflectance, transmittance) = truth.at(incidence, tau, rows[i].order);
