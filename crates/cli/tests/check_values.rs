@@ -75,6 +75,18 @@ fn the_places_to_evaluate_are_a_table_to_fill_in() {
 }
 
 #[test]
+fn radiance_is_refused_in_clear_words() {
+    let dir = tempfile::tempdir().unwrap();
+    let bound = "[check.values.radiance_top]\nany = { absolute = 1.0 }\n";
+    fs::write(dir.path().join("c.toml"), config(&[("[0.65, 0.55, 0.45]", "[0.55]")]) + bound).unwrap();
+    fs::write(dir.path().join("v.csv"), format!("{HEADER}\nradiance_top,0,10,0,1,total,0.1\n")).unwrap();
+    let output = run(dir.path(), &["check", "c.toml", "--values", "v.csv"]);
+    assert_eq!(output.status.code(), Some(2));
+    let error = String::from_utf8(output.stderr).unwrap();
+    assert!(error.contains("v.csv:2: radiance_top is not available"), "{error}");
+}
+
+#[test]
 fn tables_that_mean_nothing_are_refused_with_file_and_line() {
     let dir = tempfile::tempdir().unwrap();
     prepare(dir.path());

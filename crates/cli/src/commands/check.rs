@@ -8,7 +8,8 @@ use crate::config::Config;
 use crate::output::{Data, Talk};
 use crate::pipeline::{self, optics::Cloud, reference::Media};
 use std::path::{Path, PathBuf};
-use stratiform_artifact::{Provenance, hash_of, write_atomic, write_csv};
+use stratiform_artifact::{Provenance, hash_of, to_csv, write_atomic, write_csv};
+use stratiform_reference_data::sha256;
 
 const METHOD: &str = "truth by discrete ordinates; photons by half-space Monte Carlo";
 
@@ -124,6 +125,8 @@ fn store_counts(config: &mut Config, args: &CheckArgs, file: &Path, talk: Talk) 
     config.check_again()?;
     let cloud = cloud(config)?;
     let rows = counts::trace(config, &cloud, &tracer, tracer.stored_photons, tracer.stored_seed, talk)?;
-    write_csv(file, &rows)?;
+    let text = to_csv(&rows)?;
+    write_atomic(file, text.as_bytes())?;
+    talk.say(format!("SHA-256 for SOURCE.toml: {}", sha256(text.as_bytes())));
     Ok(format!("{}\n", file.display()))
 }

@@ -5,6 +5,7 @@
 //! `totals_medium`; orders, and the tail of orders three and more, those of its `orders_medium`.
 
 mod points;
+mod radiance;
 mod read;
 
 pub use points::{Point, points};
@@ -67,11 +68,11 @@ impl ValueRow {
 
 /// The truth of every row, in their order.
 fn truths(config: &Config, media: &Media, rows: &[ValueRow], file: &Path) -> Result<Vec<Estimate>, CliError> {
-    if let Some(row) = rows.iter().find(|row| row.quantity.is_radiance()) {
-        return Err(radiance(row).at(&row.line_of(file)));
+    let mut truths = vec![None; rows.len()];
+    for (i, row) in rows.iter().enumerate().filter(|(_, row)| row.quantity.is_radiance()) {
+        truths[i] = Some(radiance::truth(row).map_err(|error| error.at(&row.line_of(file)))?);
     }
     let solvers = Solvers::new(config, media)?;
-    let mut truths = vec![None; rows.len()];
     for group in groups(rows) {
         let listed = group.members.iter().filter_map(|&i| match rows[i].order {
             Order::Exactly(n) => Some(n),
@@ -85,13 +86,8 @@ fn truths(config: &Config, media: &Media, rows: &[ValueRow], file: &Path) -> Res
             });
         }
     }
-    // Every row is in a group.
+    // Every row has its truth.
     Ok(truths.into_iter().flatten().collect())
-}
-
-/// There is no deterministic radiance yet.
-fn radiance(row: &ValueRow) -> CliError {
-    CliError::Input(format!("{} is not available: the solver gives fluxes only", row.quantity))
 }
 
 /// Rows that one call of the solver serves: every incidence at every thickness.
@@ -112,7 +108,7 @@ impl Group {
 
 fn groups(rows: &[ValueRow]) -> Vec<Group> {
     let mut single: Vec<Group> = Vec::new();
-    for (i, row) in rows.iter().enumerate() {
+    for (i, row) in rows.iter().enumerate().filter(|(_, row)| !row.quantity.is_radiance()) {
         match single.iter_mut().find(|group| group.incidences[0] == row.theta_l_deg) {
             Some(group) => {
                 group.tau.push(row.tau);
