@@ -47,6 +47,8 @@ fn p_value(hits: Hits, truth: Estimate) -> f64 {
 #[test]
 fn every_stored_count_is_what_the_solver_expects() {
     let rows = read(&stratiform_reference_data::root().join("paper-cloud-counts/counts.csv")).unwrap();
+    let photons = paper_config().check.tracer.unwrap().stored_photons;
+    assert!(rows.iter().all(|row| row.photons == photons), "the config says how they were made");
     let mut all = pairs(&rows, Medium::Full, 1e-5);
     all.extend(pairs(&rows, Medium::Modified, 1e-5));
     assert_eq!(all.len(), rows.len() / 4 * 7, "every row is compared");

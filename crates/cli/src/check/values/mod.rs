@@ -29,7 +29,7 @@ use stratiform_stats::Estimate;
 pub fn check(config: &Config, media: &Media, file: &Path) -> Result<Vec<Comparison>, CliError> {
     let rows = read(file)?;
     let bounds = rows.iter().map(|row| bound_of(config, row, file)).collect::<Result<Vec<_>, _>>()?;
-    let truths = truths(config, media, &rows, file)?;
+    let truths = truths(config, media, &rows)?;
     let compare = |((row, bound), truth): ((&ValueRow, Bound), Estimate)| Comparison {
         quantity: row.quantity.to_string(),
         place: row.place(),
@@ -67,10 +67,10 @@ impl ValueRow {
 }
 
 /// The truth of every row, in their order.
-fn truths(config: &Config, media: &Media, rows: &[ValueRow], file: &Path) -> Result<Vec<Estimate>, CliError> {
+fn truths(config: &Config, media: &Media, rows: &[ValueRow]) -> Result<Vec<Estimate>, CliError> {
     let mut truths = vec![None; rows.len()];
-    for (i, row) in rows.iter().enumerate().filter(|(_, row)| row.quantity.is_radiance()) {
-        truths[i] = Some(radiance::truth(row).map_err(|error| error.at(&row.line_of(file)))?);
+    for (i, truth) in radiance::truths(config, media, rows)? {
+        truths[i] = Some(truth);
     }
     let solvers = Solvers::new(config, media)?;
     for group in groups(rows) {
