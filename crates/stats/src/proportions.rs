@@ -4,8 +4,8 @@
 //! e^{-n D(x‖p)}, D the relative entropy of two coins (Chernoff 1952; Hoeffding 1963, J. Am. Stat. Assoc. 58, theorem 1).
 //! The same holds for n drawn without replacement from a heap whose share is p (Hoeffding 1963, section 6), which is what
 //! one of two samples is to both together if they agree. Twice that bounds the two-sided p-value for any counts,
-//! none or all included; against the normal approximation it costs one part in ten of a standard error's sensitivity
-//! at p-values of 1e-8.
+//! none or all included; at p-values of 1e-8 a difference must be a tenth larger than by normal theory
+//! to be seen, where one sample is much the larger; between samples of equal size, 1.5 times (the finite heap is not used).
 
 /// Hits of a number of trials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,7 +14,8 @@ use std::path::PathBuf;
                         Columns of --values and --points: quantity,theta_l_deg,theta_v_deg,phi_deg,tau,order,value; \
                         quantity = reflectance | transmittance | radiance_top | radiance_bottom; theta_l_deg in [0, 90] or \
                         `diffuse`; theta_v_deg and phi_deg empty for fluxes; tau is the full medium's; order 0, 1, 2, tail (three and \
-                        more) or total. Totals are those of the config's totals_medium, orders those of its orders_medium.\n\
+                        more) or total. Totals are those of the config's totals_medium, orders those of its orders_medium. Radiance is \
+                        pi L/(mu0 F0) without unscattered light, of order 1, 2 or total; phi 0: light keeps the sun's azimuth.\n\
                         Exit codes: 0 everything within its bounds; 1 something is not, or nothing was compared; 2 misuse.")]
 pub struct CheckArgs {
     /// The config (TOML), whose section `check` holds the bounds.
@@ -22,7 +23,7 @@ pub struct CheckArgs {
     /// Judge these values of another implementation, and nothing else.
     #[arg(long, value_name = "FILE")]
     pub values: Option<PathBuf>,
-    /// Write the places to evaluate, with `value` left empty, and stop.
+    /// Write the places at which fluxes are best evaluated, with `value` left empty, and stop.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["values", "store_counts", "junit", "markdown"])]
     pub points: Option<PathBuf>,
     /// Trace the counts that fresh photons are held against, write them, and stop.

@@ -49,6 +49,7 @@ impl Place {
     }
 }
 
+/// Everything but the order, which stands in a [label](Comparison::label).
 impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "theta_l {}", self.theta_l_deg)?;
@@ -57,7 +58,6 @@ impl std::fmt::Display for Place {
         part("theta_v", self.theta_v_deg.map(|theta| theta.to_string()))?;
         part("phi", self.phi_deg.map(|phi| phi.to_string()))?;
         part("tau", self.tau.map(|tau| super::report::short(tau)))?;
-        part("order", self.order.map(|order| order.to_string()))?;
         part("medium", self.medium.map(|medium| medium.to_string()))
     }
 }
@@ -78,6 +78,13 @@ pub struct Comparison {
 }
 
 impl Comparison {
+    /// The quantity, with its order if it has one.
+    pub fn label(&self) -> String {
+        self.place
+            .order
+            .map_or_else(|| self.quantity.clone(), |order| format!("{} order {order}", self.quantity))
+    }
+
     /// Number less truth.
     pub fn difference(&self) -> f64 {
         self.value - self.truth
@@ -106,10 +113,10 @@ pub struct Verdict {
     pub parts: BTreeMap<Part, Vec<Comparison>>,
 }
 
-/// What the comparisons of one quantity amount to.
+/// What the comparisons of one quantity and order amount to.
 pub struct Summary<'a> {
-    /// The quantity.
-    pub quantity: &'a str,
+    /// The quantity, with its order if it has one.
+    pub label: String,
     /// How often it was compared.
     pub compared: usize,
     /// How often it was out of bounds.
@@ -142,12 +149,12 @@ impl Verdict {
         !self.parts.is_empty() && self.empty_parts().is_empty() && self.failures().is_empty()
     }
 
-    /// The quantities of a part, in the order in which they were first compared.
+    /// The quantities and orders of a part, in the order in which they were first compared.
     pub fn summaries(&self, part: Part) -> Vec<Summary<'_>> {
         let mut summaries: Vec<Summary<'_>> = Vec::new();
         for one in self.parts.get(&part).into_iter().flatten() {
-            let failed = usize::from(!one.passes());
-            match summaries.iter_mut().find(|summary| summary.quantity == one.quantity) {
+            let (label, failed) = (one.label(), usize::from(!one.passes()));
+            match summaries.iter_mut().find(|summary| summary.label == label) {
                 Some(summary) => {
                     summary.compared += 1;
                     summary.failed += failed;
@@ -156,7 +163,7 @@ impl Verdict {
                     }
                 }
                 None => {
-                    summaries.push(Summary { quantity: &one.quantity, compared: 1, failed, worst: one });
+                    summaries.push(Summary { label, compared: 1, failed, worst: one });
                 }
             }
         }
@@ -207,7 +214,7 @@ mod tests {
         let failures: Vec<f64> = verdict.failures().iter().map(|(_, one)| one.value).collect();
         assert!(failures[0].is_nan() && failures[1..] == [1.4, 1.2], "{failures:?}");
         let summaries = verdict.summaries(Part::Values);
-        let counts: Vec<_> = summaries.iter().map(|s| (s.quantity, s.compared, s.failed)).collect();
+        let counts: Vec<_> = summaries.iter().map(|s| (s.label.as_str(), s.compared, s.failed)).collect();
         assert_eq!(counts, [("a", 3, 2), ("b", 2, 1)]);
         assert_eq!(summaries[0].worst.value, 1.4);
     }

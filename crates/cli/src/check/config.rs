@@ -11,6 +11,9 @@ use stratiform_quantities::{DomainError, OpticalThickness, Order, Range};
 pub struct CheckConfig {
     /// Largest error of the deterministic truth, absolute.
     pub tolerance: f64,
+    /// The same of radiance, absolute below 1 and relative above.
+    #[serde(default = "default_radiance_tolerance")]
+    pub radiance_tolerance: f64,
     /// Probability that a correct table, or a correct tracer, fails.
     pub false_alarm_rate: f64,
     /// The accepted table against the solver.
@@ -21,6 +24,10 @@ pub struct CheckConfig {
     /// Values of other implementations against the solver.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub values: BTreeMap<Quantity, OrderBounds>,
+}
+
+fn default_radiance_tolerance() -> f64 {
+    1e-3
 }
 
 /// `[check.tracer]`.
@@ -104,6 +111,8 @@ impl CheckConfig {
     pub(crate) fn validate(&self) -> Result<(), Refused> {
         Range { max_included: false, ..Range::closed(1e-12, 1.0) }
             .check("check.tolerance", self.tolerance)?;
+        Range { max_included: false, ..Range::closed(1e-8, 1.0) }
+            .check("check.radiance_tolerance", self.radiance_tolerance)?;
         Range::open(0.0, 1.0).check("check.false_alarm_rate", self.false_alarm_rate)?;
         self.model.check("check.model")?;
         self.tracer.iter().try_for_each(TracerConfig::validate)?;

@@ -5,7 +5,7 @@
 //! The model is not the truth, so the fluxes' bounds cannot be below its misfit, which hides small slips of a parameter.
 //! The misfit is the same in both fits and cancels, so a slip of 2 % in one parameter shows there.
 
-use super::truth::Truth;
+use super::truth::{LISTED, Solvers, Truth};
 use super::{Comparison, Place};
 use crate::CliError;
 use crate::config::Config;
@@ -32,13 +32,13 @@ impl ModelTruth {
     /// Solves at the config's angles, half-way between, and for diffuse light.
     ///
     /// # Errors
-    /// As [`Truth::solve`].
+    /// As [`Solvers::solve`].
     pub fn solve(config: &Config, cloud: &Cloud, media: &Media) -> Result<Self, CliError> {
         let mut rows = fluxes::nodes(config);
         let nodes = rows.len();
         rows.extend(between(config));
         let tau = cloud.tau(config);
-        let truth = Truth::solve(config, media, &rows, &tau, super::truth::LISTED)?;
+        let truth = Solvers::new(config, media)?.solve(&rows, &tau, LISTED)?;
         Ok(Self { rows, nodes, tau, truth })
     }
 
@@ -138,8 +138,7 @@ impl ModelTruth {
 
 /// The angles half-way between those of the table, up to the bounds' angle.
 fn between(config: &Config) -> impl Iterator<Item = RowIncidence> {
-    let middle = |pair: &[f64]| RowIncidence::Degrees(0.5 * (pair[0] + pair[1]));
-    config.fit.theta_l_deg.windows(2).map(middle).filter(|row| config.check.model.hold(row))
+    fluxes::between(config).into_iter().filter(|row| config.check.model.hold(row))
 }
 
 /// Every incidence that the bounds are about: of the table, then half-way between.

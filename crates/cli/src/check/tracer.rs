@@ -41,7 +41,7 @@ pub fn compare(
     false_alarm_rate: f64,
 ) -> Result<Vec<Comparison>, String> {
     if let Some(row) = stored.iter().find(|row| !fresh.iter().any(|other| other.is_at(row))) {
-        return Err(format!("the config has no counts {}", row.place()));
+        return Err(format!("the config counts nothing at {}", row.name()));
     }
     // What cannot differ is not compared: without scattering nothing is reflected.
     let count: usize = fresh.iter().map(|row| row.parts().len()).sum();
@@ -49,7 +49,7 @@ pub fn compare(
     let mut comparisons = Vec::with_capacity(count);
     for row in fresh {
         let other = stored.iter().find(|other| other.is_at(row));
-        let other = other.ok_or_else(|| format!("there are no counts {}", row.place()))?;
+        let other = other.ok_or_else(|| format!("there are no counts at {}", row.name()))?;
         for ((quantity, a), (_, b)) in row.parts().into_iter().zip(other.parts()) {
             let bound = largest_difference(a, b, alpha);
             comparisons.push(Comparison {
@@ -65,6 +65,10 @@ pub fn compare(
 }
 
 impl CountRow {
+    fn name(&self) -> String {
+        format!("{}, order {}", self.place(), self.order)
+    }
+
     fn place(&self) -> Place {
         Place {
             tau: Some(self.tau),
@@ -153,7 +157,11 @@ mod tests {
         let (a, b) = (row(Order::Total, 10, 5, 5), row(Order::Exactly(0), 10, 0, 5));
         assert_eq!(compare(std::slice::from_ref(&b), std::slice::from_ref(&b), 0.1).unwrap().len(), 1);
         let both = [a.clone(), b];
-        assert!(compare(&both, std::slice::from_ref(&a), 0.1).unwrap_err().contains("order 0"));
-        assert!(compare(std::slice::from_ref(&a), &both, 0.1).unwrap_err().contains("no counts"));
+        assert!(
+            compare(&both, std::slice::from_ref(&a), 0.1)
+                .unwrap_err()
+                .contains("no counts at theta_l diffuse, tau 1, medium full, order 0")
+        );
+        assert!(compare(std::slice::from_ref(&a), &both, 0.1).unwrap_err().contains("counts nothing"));
     }
 }

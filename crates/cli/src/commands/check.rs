@@ -8,7 +8,8 @@ use crate::config::Config;
 use crate::output::{Data, Talk};
 use crate::pipeline::{self, optics::Cloud, reference::Media};
 use std::path::{Path, PathBuf};
-use stratiform_artifact::{Provenance, hash_of, write_atomic, write_csv};
+use stratiform_artifact::{Provenance, hash_of, to_csv, write_atomic, write_csv};
+use stratiform_reference_data::sha256;
 
 const METHOD: &str = "truth by discrete ordinates; photons by half-space Monte Carlo";
 
@@ -22,7 +23,8 @@ pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
         return store_counts(&mut config, args, file, talk);
     }
     override_tracer(&mut config, args)?;
-    let cloud = pipeline::optics::at_transport_wavelength(&config)?;
+    can_be_written(args)?;
+    let cloud = cloud(&config)?;
     if let Some(file) = &args.points {
         write_csv(file, &values::points(&config, &cloud.tau(&config)))?;
         return Ok(format!("{}\n", file.display()));
@@ -35,6 +37,25 @@ pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
         None => own(&config, args, &cloud, talk)?,
     };
     render(&config, args, &verdict)
+}
+
+/// Looks for the folders of what is to be written before any work is done.
+fn can_be_written(args: &CheckArgs) -> Result<(), CliError> {
+    let files = [&args.junit, &args.markdown, &args.points].into_iter().flatten();
+    let folder = |file: &Path| file.parent().filter(|p| *p != Path::new("")).map(Path::to_owned);
+    match files.filter_map(|file| folder(file)).find(|folder| !folder.is_dir()) {
+        Some(folder) => {
+            Err(CliError::Input(format!("cannot write to {}: it is no folder", folder.display())))
+        }
+        None => Ok(()),
+    }
+}
+
+/// The cloud at the wavelength of the transport: the others are not needed.
+fn cloud(config: &Config) -> Result<Cloud, CliError> {
+    let mut config = config.clone();
+    config.optics.wavelengths_um = vec![config.transport.wavelength_um];
+    pipeline::optics::at_transport_wavelength(&config)
 }
 
 /// A path of the config, which is relative to its folder.
@@ -102,8 +123,10 @@ fn store_counts(config: &mut Config, args: &CheckArgs, file: &Path, talk: Talk) 
     tracer.stored_seed = args.seed.unwrap_or(tracer.stored_seed);
     let tracer = tracer.clone();
     config.check_again()?;
-    let cloud = pipeline::optics::at_transport_wavelength(config)?;
+    let cloud = cloud(config)?;
     let rows = counts::trace(config, &cloud, &tracer, tracer.stored_photons, tracer.stored_seed, talk)?;
-    write_csv(file, &rows)?;
+    let text = to_csv(&rows)?;
+    write_atomic(file, text.as_bytes())?;
+    talk.say(format!("SHA-256 for SOURCE.toml: {}", sha256(text.as_bytes())));
     Ok(format!("{}\n", file.display()))
 }

@@ -31,6 +31,8 @@ struct PartRecord {
 #[derive(Serialize, Deserialize)]
 struct QuantityRecord {
     quantity: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    order: Option<Order>,
     compared: usize,
     failed: usize,
     worst: Record,
@@ -87,7 +89,8 @@ pub fn to_json(verdict: &Verdict, provenance: &Provenance, worst: usize) -> Resu
     let failures = verdict.failures();
     let parts = verdict.parts.iter().map(|(part, list)| {
         let quantities = verdict.summaries(*part).into_iter().map(|summary| QuantityRecord {
-            quantity: summary.quantity.to_owned(),
+            quantity: summary.worst.quantity.clone(),
+            order: summary.worst.place.order,
             compared: summary.compared,
             failed: summary.failed,
             worst: Record::of(&part.to_string(), summary.worst),

@@ -19,11 +19,11 @@ pub fn to_junit(verdict: &Verdict, worst: usize) -> Result<String, CliError> {
         }
         for summary in verdict.summaries(*part) {
             let failures = verdict.failures();
-            let own = failures.iter().filter(|(p, one)| p == part && one.quantity == summary.quantity);
+            let own = failures.iter().filter(|(p, one)| p == part && one.label() == summary.label);
             let list: Vec<_> = own.take(worst).map(|(_, one)| offence(one)).collect();
             let message = format!("{} of {} out of bounds", summary.failed, summary.compared);
             let failed = (summary.failed > 0).then(|| (message, list.join("\n")));
-            suite.add_test_case(case(*part, summary.quantity, failed));
+            suite.add_test_case(case(*part, &summary.label, failed));
         }
         report.add_test_suite(suite);
     }

@@ -5,13 +5,14 @@
 //! `totals_medium`; orders, and the tail of orders three and more, those of its `orders_medium`.
 
 mod points;
+mod radiance;
 mod read;
 
 pub use points::{Point, points};
 pub use read::{COLUMNS, ValueRow, read};
 
 use super::config::{Bound, Quantity, bound};
-use super::truth::Truth;
+use super::truth::Solvers;
 use super::{Comparison, Place};
 use crate::CliError;
 use crate::config::Config;
@@ -24,13 +25,13 @@ use stratiform_stats::Estimate;
 /// Holds the values of `file` against the truth within the bounds of `[check.values]`.
 ///
 /// # Errors
-/// [`CliError::Input`] with file and line for rows that mean nothing or have no bound; as [`Truth::solve`].
+/// [`CliError::Input`] with file and line for rows that mean nothing or have no bound; as [`Solvers::solve`].
 pub fn check(config: &Config, media: &Media, file: &Path) -> Result<Vec<Comparison>, CliError> {
     let rows = read(file)?;
     let bounds = rows.iter().map(|row| bound_of(config, row, file)).collect::<Result<Vec<_>, _>>()?;
-    let truths = truths(config, media, &rows, file)?;
+    let truths = truths(config, media, &rows)?;
     let compare = |((row, bound), truth): ((&ValueRow, Bound), Estimate)| Comparison {
-        quantity: format!("{} order {}", row.quantity, row.order),
+        quantity: row.quantity.to_string(),
         place: row.place(),
         value: row.value,
         truth: truth.value,
@@ -59,23 +60,25 @@ impl ValueRow {
             theta_v_deg: self.theta_v_deg,
             phi_deg: self.phi_deg,
             tau: Some(self.tau),
+            order: Some(self.order),
             ..Place::of(self.theta_l_deg.clone())
         }
     }
 }
 
 /// The truth of every row, in their order.
-fn truths(config: &Config, media: &Media, rows: &[ValueRow], file: &Path) -> Result<Vec<Estimate>, CliError> {
-    if let Some(row) = rows.iter().find(|row| row.quantity.is_radiance()) {
-        return Err(radiance(row).at(&row.line_of(file)));
-    }
+fn truths(config: &Config, media: &Media, rows: &[ValueRow]) -> Result<Vec<Estimate>, CliError> {
     let mut truths = vec![None; rows.len()];
+    for (i, truth) in radiance::truths(config, media, rows)? {
+        truths[i] = Some(truth);
+    }
+    let solvers = Solvers::new(config, media)?;
     for group in groups(rows) {
         let listed = group.members.iter().filter_map(|&i| match rows[i].order {
             Order::Exactly(n) => Some(n),
             _ => None,
         });
-        let truth = Truth::solve(config, media, &group.incidences, &group.tau, listed.max().unwrap_or(0))?;
+        let truth = solvers.solve(&group.incidences, &group.tau, listed.max().unwrap_or(0))?;
         for &i in &group.members {
             truths[i] = group.place(&rows[i]).map(|(incidence, tau)| {
                 let (reflectance, transmittance) = truth.at(incidence, tau, rows[i].order);
@@ -83,13 +86,8 @@ fn truths(config: &Config, media: &Media, rows: &[ValueRow], file: &Path) -> Res
             });
         }
     }
-    // Every row is in a group.
+    // Every row has its truth.
     Ok(truths.into_iter().flatten().collect())
-}
-
-/// There is no deterministic radiance yet.
-fn radiance(row: &ValueRow) -> CliError {
-    CliError::Input(format!("{} is not available: the solver gives fluxes only", row.quantity))
 }
 
 /// Rows that one call of the solver serves: every incidence at every thickness.
@@ -110,7 +108,7 @@ impl Group {
 
 fn groups(rows: &[ValueRow]) -> Vec<Group> {
     let mut single: Vec<Group> = Vec::new();
-    for (i, row) in rows.iter().enumerate() {
+    for (i, row) in rows.iter().enumerate().filter(|(_, row)| !row.quantity.is_radiance()) {
         match single.iter_mut().find(|group| group.incidences[0] == row.theta_l_deg) {
             Some(group) => {
                 group.tau.push(row.tau);
