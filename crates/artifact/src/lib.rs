@@ -17,6 +17,7 @@ mod orders;
 mod parameters;
 mod provenance;
 mod quadrature;
+mod radiance;
 mod table;
 
 pub use agreement::{AgreementDocument, AgreementRow};
@@ -38,4 +39,5 @@ pub use parameters::{
 };
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
+pub use radiance::{Face, RadianceDocument, RadianceResult};
 pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};

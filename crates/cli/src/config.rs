@@ -11,11 +11,12 @@
 //! traced, and both tables must agree.
 
 use crate::CliError;
+use crate::check::config::{CheckConfig, Refused};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use std::path::Path;
 use stratiform_artifact::read_text;
-use stratiform_fit::{FitConfig, FitError, RegressionBounds};
+use stratiform_fit::{FitConfig, FitError};
 use stratiform_optics::{OpticsConfig, OpticsError};
 use stratiform_quantities::{
     DomainError, ExtinctionConvention, Medium, OpticalThickness, Range, SingleScatteringAlbedo,
@@ -43,8 +44,8 @@ pub struct Config {
     /// How the convergence figures are made; absent: they are not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub convergence: Option<ConvergenceConfig>,
-    /// Bounds of the regression test.
-    pub regression: RegressionConfig,
+    /// What `check` accepts.
+    pub check: CheckConfig,
 }
 
 /// Tables that others published.
@@ -132,20 +133,6 @@ pub struct ConvergenceConfig {
     pub half_space_photons: Vec<u64>,
 }
 
-/// `[regression]`: a fresh run that the accepted table is held against.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RegressionConfig {
-    /// Photons per incidence and medium of the fresh run.
-    pub photons: u64,
-    /// Seed of the fresh run; another than the transport's.
-    pub seed: u64,
-    /// Probability that a correct table fails.
-    pub false_alarm_rate: f64,
-    /// What is accepted.
-    pub bounds: RegressionBounds,
-}
-
 impl Config {
     /// The schema's name and version.
     pub const SCHEMA: &'static str = "stratiform/config/1";
@@ -181,7 +168,7 @@ impl Config {
     ///
     /// # Errors
     /// [`CliError::Input`] naming value and range.
-    pub fn check(&self) -> Result<(), CliError> {
+    pub fn check_again(&self) -> Result<(), CliError> {
         self.validate().map_err(|fault| CliError::Input(fault.message))
     }
 
@@ -190,7 +177,7 @@ impl Config {
         self.fit.check()?;
         self.transport.validate(&self.optics)?;
         self.convergence.iter().try_for_each(|convergence| convergence.validate(&self.fit))?;
-        self.regression.validate(&self.transport)?;
+        self.check.validate()?;
         let kappa = 1e6
             * self.optics.number_density_per_cm3
             * PI
@@ -302,22 +289,6 @@ impl ConvergenceConfig {
     }
 }
 
-impl RegressionConfig {
-    fn validate(&self, transport: &TransportConfig) -> Result<(), Fault> {
-        photons("regression.photons", self.photons)?;
-        Range::open(0.0, 1.0).check("regression.false_alarm_rate", self.false_alarm_rate)?;
-        self.bounds.check()?;
-        if Some(self.seed) != transport.seed {
-            return Ok(());
-        }
-        let message = format!(
-            "regression.seed = {} is also the transport's: its photons would not be fresh",
-            self.seed
-        );
-        Err(Fault { key: Some("regression.seed".to_owned()), message })
-    }
-}
-
 /// What is wrong with a value, and under which key it stands, where that is known.
 struct Fault {
     key: Option<String>,
@@ -327,6 +298,12 @@ struct Fault {
 impl From<DomainError> for Fault {
     fn from(error: DomainError) -> Self {
         Self { message: error.to_string(), key: Some(error.quantity) }
+    }
+}
+
+impl From<Refused> for Fault {
+    fn from(refused: Refused) -> Self {
+        Self { key: Some(refused.key), message: refused.message }
     }
 }
 

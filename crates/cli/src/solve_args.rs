@@ -9,7 +9,8 @@ use clap::Args;
 #[command(
     allow_negative_numbers = true,
     after_help = "Examples:\n  stratiform solve --phase hg:0.75 --tau 1,8 --mu0 1,diffuse --tolerance 1e-8\n  stratiform solve \
-                  --phase config:fit-configs/appendix-b.toml --modified 5 --tau 5 --mu0 0.1,0.5 --tolerance 1e-5 --json\n\
+                  --phase config:fit-configs/appendix-b.toml --modified 5 --tau 5 --mu0 0.1,0.5 --tolerance 1e-5 --json\n  stratiform \
+                  solve --phase hg:0.85 --tau 5 --mu0 0.5 --view-mu 1,0.5 --phi 0,90,180 --tolerance 1e-4\n\
                   The columns std_error hold the estimated absolute error; exit code 1 if it cannot be brought below \
                   --tolerance."
 )]
@@ -23,12 +24,18 @@ pub struct SolveArgs {
     /// Cosines of the sun's zenith angle in [0, 1], or `diffuse`.
     #[arg(long, value_delimiter = ',', required = true)]
     pub mu0: Vec<String>,
-    /// Orders listed one by one, at most 60; the rest is the tail.
+    /// Radiance instead of fluxes: cosines of the leaving light's angle to the normal, in [0, 1].
+    #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "MU,...")]
+    pub view_mu: Vec<f64>,
+    /// Azimuths in degrees for --view-mu; at 0 light keeps the sun's. The glory is side top, 180, mu = mu0.
+    #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "DEG,...", default_value = "0")]
+    pub phi: Vec<f64>,
+    /// Orders listed one by one, at most 60 (2 for radiance); the rest is the tail.
     #[arg(long, default_value_t = 2)]
     pub orders: u32,
-    /// Largest absolute error allowed.
-    #[arg(long, value_parser = finite, default_value = "1e-6")]
-    pub tolerance: f64,
+    /// Largest absolute error allowed; default 1e-6. For radiance: relative above 1, default 1e-3.
+    #[arg(long, value_parser = finite)]
+    pub tolerance: Option<f64>,
     /// Print one JSON object instead of CSV.
     #[arg(long)]
     pub json: bool,

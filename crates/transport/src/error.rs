@@ -14,6 +14,17 @@ pub enum TransportError {
     /// No incidence was asked for.
     #[error("mu0: the list of incidences is empty")]
     NoIncidence,
+    /// No view was asked for.
+    #[error("views: the list of view directions is empty")]
+    NoView,
+    /// The finest angular rule of order 2 does not reach its share of the tolerance.
+    #[error("tolerance: the angular rule of order 2 reaches {reached:.1e} where {wanted:.1e} is needed")]
+    Rule {
+        /// Needed.
+        wanted: f64,
+        /// Estimated error at the end.
+        reached: f64,
+    },
     /// The solver's finest quadrature does not reach the tolerance.
     #[error("tolerance = {wanted:e} is not met: {streams} streams per hemisphere reach {reached:.1e}")]
     Tolerance {

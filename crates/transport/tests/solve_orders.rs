@@ -4,11 +4,10 @@
 
 mod common;
 
-use common::{Family, beam, full, h_function, half_space, hg, isotropic, request};
+use common::{Family, beam, cloud, full, h_function, half_space, hg, isotropic, modified_cloud, request};
 use std::f64::consts::PI;
-use std::path::Path;
 use std::sync::Arc;
-use stratiform_optics::phase::{Modified, Norm, PhaseFunction, PhaseTable};
+use stratiform_optics::phase::{Modified, PhaseFunction};
 use stratiform_quantities::{Incidence, Order, SingleScatteringAlbedo};
 use stratiform_transport::solve::{SolveMedium, Solved, Solver};
 use stratiform_transport::{TraceMedium, TransportError};
@@ -16,18 +15,6 @@ use stratiform_transport::{TraceMedium, TransportError};
 fn solver(phase: Arc<dyn PhaseFunction>, omega: f64, tolerance: f64) -> Solver {
     let omega = SingleScatteringAlbedo::new(omega).unwrap();
     Solver::new(SolveMedium::full(phase, omega), tolerance).unwrap()
-}
-
-/// The paper's cloud at 0.55 µm.
-fn cloud() -> Arc<dyn PhaseFunction> {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/accepted/phase_full.csv");
-    Arc::new(PhaseTable::read(Path::new(file), Norm::Strict).unwrap())
-}
-
-fn modified_cloud() -> TraceMedium {
-    let phase = Modified::new(cloud(), 5.0).unwrap();
-    let forward = phase.forward_fraction();
-    TraceMedium::modified(Arc::new(phase), SingleScatteringAlbedo::CONSERVATIVE, forward).unwrap()
 }
 
 /// The two values of an order.

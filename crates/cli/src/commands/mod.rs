@@ -1,9 +1,11 @@
 //! One file per command: from what was typed to what is printed.
 
+pub mod check;
 pub mod codegen;
 pub mod mie;
 pub mod optics;
 pub mod order_rows;
+pub mod radiance;
 pub mod report;
 pub mod solve;
 pub mod stages;

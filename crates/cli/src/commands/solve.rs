@@ -1,6 +1,6 @@
-//! `stratiform solve`: deterministic fluxes, as CSV or JSON in the schema of `trace`.
+//! `stratiform solve`: deterministic fluxes, as CSV or JSON in the schema of `trace`; with views, `radiance`.
 
-use crate::commands::order_rows;
+use crate::commands::{order_rows, radiance};
 use crate::medium::Medium;
 use crate::output::Data;
 use crate::solve_args::SolveArgs;
@@ -12,24 +12,30 @@ use stratiform_transport::solve::{SolveMedium, Solved, Solver};
 const METHOD: &str = "discrete ordinates with half-range Galerkin kernel; std_error is the estimated absolute error, \
                       not a standard deviation";
 
+/// Default tolerance, absolute.
+const TOLERANCE: f64 = 1e-6;
+
 /// Runs the command.
 ///
 /// # Errors
 /// [`CliError::Input`] for bad input; [`CliError::Failed`] if the tolerance was not met.
 pub fn run(args: &SolveArgs) -> Result<Data, CliError> {
+    if !args.view_mu.is_empty() {
+        return radiance::run(args);
+    }
     let incidences = order_rows::parse_incidences(&args.mu0)?;
     for tau in &args.tau {
         OpticalThickness::new(*tau)?;
     }
     let medium = Medium::parse(&args.medium)?;
-    let solver =
-        Solver::new(SolveMedium::from(medium.traced()), args.tolerance).map_err(pipeline::trace_error)?;
+    let tolerance = args.tolerance.unwrap_or(TOLERANCE);
+    let solver = Solver::new(SolveMedium::from(medium.traced()), tolerance).map_err(pipeline::trace_error)?;
     let solved = solver.orders(&args.tau, &incidences, args.orders).map_err(pipeline::trace_error)?;
     let results = rows(&solved);
     if !args.json {
         return order_rows::csv(&medium, results);
     }
-    let inputs = (medium.record(), &args.tau, &args.mu0, args.tolerance, args.orders);
+    let inputs = (medium.record(), &args.tau, &args.mu0, tolerance, args.orders);
     let method =
         format!("{METHOD}; {} streams per hemisphere, {} moments", solved.streams(), solved.moments());
     let document = OrdersDocument {

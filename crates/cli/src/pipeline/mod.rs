@@ -37,7 +37,7 @@ pub fn input_error(error: impl std::fmt::Display) -> CliError {
 pub fn trace_error(error: TransportError) -> CliError {
     match error {
         TransportError::Cancelled => CliError::Interrupted,
-        TransportError::Books { .. } | TransportError::Tolerance { .. } => {
+        TransportError::Books { .. } | TransportError::Tolerance { .. } | TransportError::Rule { .. } => {
             CliError::Failed(error.to_string())
         }
         other => input_error(other),

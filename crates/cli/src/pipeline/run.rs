@@ -33,7 +33,7 @@ pub enum Target {
 /// # Errors
 /// [`CliError`]; stages that were finished stay finished.
 pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<ParametersDocument, CliError> {
-    config.check()?;
+    config.check_again()?;
     if target == Target::Report {
         config.check_span()?;
     }

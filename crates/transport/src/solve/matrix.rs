@@ -118,27 +118,34 @@ impl Matrix {
     }
 
     /// Solution of self · x = `right`, by elimination with row pivots. Destroys the matrix.
-    pub(crate) fn solve(mut self, mut right: Vec<f64>) -> Vec<f64> {
+    pub(crate) fn solve(self, right: Vec<f64>) -> Vec<f64> {
+        self.solve_each(vec![right]).swap_remove(0)
+    }
+
+    /// The same for several right sides.
+    pub(crate) fn solve_each(mut self, mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         let n = self.size;
         for k in 0..n {
             let pivot = self.pivot(k);
             if pivot != k {
                 let (a, b) = self.two_rows(k, pivot);
                 a.swap_with_slice(b);
-                right.swap(k, pivot);
+                rights.iter_mut().for_each(|right| right.swap(k, pivot));
             }
             let inverse = 1.0 / self[(k, k)];
             for i in k + 1..n {
                 let (above, row) = self.two_rows(k, i);
                 let factor = row[k] * inverse;
                 add_scaled(&mut row[k + 1..], -factor, &above[k + 1..]);
-                right[i] -= factor * right[k];
+                rights.iter_mut().for_each(|right| right[i] -= factor * right[k]);
             }
         }
-        for k in (0..n).rev() {
-            right[k] = (right[k] - dot(&self.row(k)[k + 1..], &right[k + 1..])) / self[(k, k)];
+        for right in &mut rights {
+            for k in (0..n).rev() {
+                right[k] = (right[k] - dot(&self.row(k)[k + 1..], &right[k + 1..])) / self[(k, k)];
+            }
         }
-        right
+        rights
     }
 }
 

@@ -48,6 +48,30 @@ impl SolveMedium {
         self.medium
     }
 
+    /// P at 1 - cosΘ.
+    pub(crate) fn phase(&self, deflection: f64) -> f64 {
+        match &self.source {
+            Source::Phase(phase) => phase.value(deflection),
+            Source::Moments(chi) => legendre_sum(chi, 1.0 - deflection),
+        }
+    }
+
+    /// 1 - cosΘ below which P is 0, if there is such a hole.
+    pub(crate) fn hole(&self) -> Option<f64> {
+        match &self.source {
+            Source::Phase(phase) => Some(phase.invert(0.0)).filter(|edge| *edge > 1e-8),
+            Source::Moments(_) => None,
+        }
+    }
+
+    /// χ_0 … χ_{count-1}; 0 beyond those given.
+    pub(crate) fn leading_moments(&self, count: usize) -> Vec<f64> {
+        match &self.source {
+            Source::Phase(phase) => phase.moments(count),
+            Source::Moments(chi) => chi.iter().copied().chain(std::iter::repeat(0.0)).take(count).collect(),
+        }
+    }
+
     /// Moments enough for fluxes to `tolerance`, and a bound of what the rest contributes.
     ///
     /// Σ_{l>L}(2l+1)|χ_l|c_l² with c_l² ~ l⁻³ falls like max|χ|·4/L.
@@ -67,6 +91,17 @@ impl SolveMedium {
             count *= 2;
         }
     }
+}
+
+/// Σ(2l+1)χ_l P_l(x).
+fn legendre_sum(chi: &[f64], x: f64) -> f64 {
+    let (mut before, mut value, mut sum) = (0.0, 1.0, 0.0);
+    for (l, chi) in chi.iter().enumerate() {
+        let (l, odd) = (l as f64, (2 * l + 1) as f64);
+        sum += odd * chi * value;
+        (before, value) = (value, (odd * x * value - l * before) / (l + 1.0));
+    }
+    sum
 }
 
 impl From<&TraceMedium> for SolveMedium {

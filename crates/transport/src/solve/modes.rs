@@ -29,16 +29,8 @@ impl Modes {
     pub(crate) fn new(kernel: &Kernel, count: usize, omega: f64) -> Self {
         let streams = Streams::new(count);
         let (even, odd) = kernel.between(&streams);
-        let less = |kernel: &Matrix| {
-            Matrix::from_fn(count, |i, j| (if i == j { 1.0 } else { 0.0 }) - omega * kernel[(i, j)])
-        };
-        let (f, l) = (less(&even).cholesky(), less(&odd).cholesky());
-        let scaled = Matrix::from_fn(count, |j, m| l[(m, j)] / streams.mu[m]);
-        let (decay, vectors) = singular(scaled.times(&f));
-        let sum = vectors.times(&scaled);
-        let mut difference = vectors;
-        (0..count).for_each(|j| solve_transposed(&l, difference.row_mut(j)));
-        Self { streams, omega, decay, sum, difference }
+        let Decay { rates, sum, difference } = decay(&streams.mu, (&even, &odd), omega, singular);
+        Self { streams, omega, decay: rates, sum, difference }
     }
 
     /// How strongly each mode scatters into direction cosine `mu`, by its φ and by its ψ.
@@ -47,6 +39,35 @@ impl Modes {
         let onto = |row: &[f64], modes: &Matrix| (0..row.len()).map(|j| dot(row, modes.row(j))).collect();
         (onto(&even, &self.sum), onto(&odd, &self.difference))
     }
+}
+
+/// Decay rates k_j and the parts φ and ψ, a row for each mode.
+#[derive(Clone, Debug)]
+pub(crate) struct Decay {
+    pub(crate) rates: Vec<f64>,
+    pub(crate) sum: Matrix,
+    pub(crate) difference: Matrix,
+}
+
+/// Modes of streams `mu` that scatter by `even` and `odd`; `singular` gives singular values and right
+/// vectors of a matrix from its columns.
+pub(crate) fn decay(
+    mu: &[f64],
+    (even, odd): (&Matrix, &Matrix),
+    omega: f64,
+    singular: impl Fn(Matrix) -> (Vec<f64>, Matrix),
+) -> Decay {
+    let count = mu.len();
+    let less = |kernel: &Matrix| {
+        Matrix::from_fn(count, |i, j| (if i == j { 1.0 } else { 0.0 }) - omega * kernel[(i, j)])
+    };
+    let (f, l) = (less(even).cholesky(), less(odd).cholesky());
+    let scaled = Matrix::from_fn(count, |j, m| l[(m, j)] / mu[m]);
+    let (rates, vectors) = singular(scaled.times(&f));
+    let sum = vectors.times(&scaled);
+    let mut difference = vectors;
+    (0..count).for_each(|j| solve_transposed(&l, difference.row_mut(j)));
+    Decay { rates, sum, difference }
 }
 
 /// Solves Lᵀx = `right` in place.

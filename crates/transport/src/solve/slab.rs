@@ -122,21 +122,21 @@ impl<'a> Slab<'a> {
 }
 
 /// tanh(kτ/2) and tanh(kτ/2)/k.
-fn slope(k: f64, tau: f64) -> (f64, f64) {
+pub(crate) fn slope(k: f64, tau: f64) -> (f64, f64) {
     let x = 0.5 * k * tau;
     if x < LINEAR { (x, 0.5 * tau) } else { (libm::tanh(x), libm::tanh(x) / k) }
 }
 
 /// ∫₀^τ f(t) e^{-t/μ} dt/μ of a mode's depth dependence, with x = t - τ/2 and both functions divided by
 /// cosh(kτ/2).
-struct Path {
-    cosh: f64,
+pub(crate) struct Path {
+    pub(crate) cosh: f64,
     /// Of sinh(kx)/k.
-    sinh_by_k: f64,
+    pub(crate) sinh_by_k: f64,
 }
 
 impl Path {
-    fn new(k: f64, tau: f64, mu: f64) -> Self {
+    pub(crate) fn new(k: f64, tau: f64, mu: f64) -> Self {
         let (a, b) = (k * tau, tau / mu);
         // From the near side: (1 - e^{-a-b})/(1 + kμ); from the far side: b(e^{-a} - e^{-b})/(b - a).
         let near = -libm::expm1(-a - b) / (1.0 + k * mu);

@@ -1,0 +1,56 @@
+//! Radiance leaving a slab: schema `stratiform/radiance/1`.
+
+use crate::{Provenance, TracedMedium};
+use serde::{Deserialize, Serialize};
+use stratiform_quantities::Order;
+
+/// The face that light leaves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Face {
+    /// The lit one.
+    Top,
+    /// The other one.
+    Bottom,
+}
+
+/// One row of `results`, and of the CSV.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RadianceResult {
+    /// Optical thickness of the full medium.
+    pub tau: f64,
+    /// Cosine of the zenith angle of incidence.
+    pub mu0: f64,
+    /// Cosine of the leaving light's angle to the normal.
+    pub mu: f64,
+    /// Azimuth; at 0 light keeps the sun's.
+    pub phi_deg: f64,
+    /// The face it leaves.
+    pub side: Face,
+    /// 1, 2 or `"total"`; the total is without unscattered light.
+    pub order: Order,
+    /// πL/(μ0 F0).
+    pub value: f64,
+    /// Estimated absolute error.
+    pub std_error: f64,
+}
+
+/// The JSON document printed by `solve` for views.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RadianceDocument {
+    /// `stratiform/radiance/1`.
+    pub schema: String,
+    /// What was solved.
+    pub medium: TracedMedium,
+    /// How.
+    pub provenance: Provenance,
+    /// One entry per thickness, incidence, view, side and order.
+    pub results: Vec<RadianceResult>,
+}
+
+impl RadianceDocument {
+    /// The schema's name and version.
+    pub const SCHEMA: &'static str = "stratiform/radiance/1";
+}

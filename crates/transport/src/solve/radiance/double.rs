@@ -1,0 +1,144 @@
+//! Light scattered twice, with the full phase function.
+//!
+//! (ω²/16π μ0) ∫dΩ' P(Ω0·Ω') P(Ω'·Ω) κk'K(k'), k' = 1/|μ'|: the depth integral K is closed (`depth`) and
+//! depends on Ω' only through μ', so that the product of phase functions is integrated over azimuth once and
+//! serves every thickness and every scaled medium. Panels shrink towards sun and view direction in zenith
+//! angle and azimuth down to the width of the peak, towards the horizon (a kink), and, where P jumps at θ_f,
+//! end on the circles round both directions at which it does.
+//!
+//! In a scaled medium P'' = (P - fδ)/(1-f): the δ parts are closed forms too. The error is the
+//! difference of two Gauss rules.
+
+use super::depth::Exit;
+use super::panels::{Break, Rule};
+use super::phase::Phase;
+use super::scaled::Scaled;
+use super::single::exit;
+use super::view::{Geometry, Side, deflection};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Points per panel: a rule is held against the one before.
+pub(super) const POINTS: [usize; 6] = [4, 6, 9, 14, 21, 32];
+
+/// Widest panel: a rainbow is resolved.
+const WIDEST: f64 = PI / 18.0;
+
+/// Width of the panels at the horizon.
+const HORIZON: f64 = 1e-3;
+
+/// Panels at the edge of a hole in P, in units of θ_f.
+const EDGE: f64 = 0.05;
+
+/// One intermediate cosine: its rate 1/|μ'|, its direction, and ∫P·P over azimuth with the weight.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    rate: f64,
+    down: bool,
+    weight: f64,
+}
+
+/// The product of phase functions for one sun and view, by one rule.
+#[derive(Clone, Debug)]
+pub(super) struct Pairing {
+    nodes: Vec<Node>,
+}
+
+/// The zenith angle and azimuth of a peak.
+#[derive(Clone, Copy)]
+struct Peak {
+    theta: f64,
+    phi: f64,
+    width: f64,
+}
+
+impl Pairing {
+    pub(super) fn new(phase: &Phase, geometry: &Geometry, points: usize) -> Self {
+        let rule = Rule::new(points, WIDEST);
+        let (sun, view) = (libm::acos(geometry.mu0), geometry.travel());
+        let ends = [(sun, 0.0), (view, geometry.phi)];
+        let mut peaks: Vec<Peak> =
+            ends.iter().map(|&(theta, phi)| Peak { theta, phi, width: phase.peak }).collect();
+        if let Some(width) = phase.back {
+            peaks.extend(ends.iter().map(|&(theta, phi)| Peak { theta: PI - theta, phi: phi + PI, width }));
+        }
+        let mut nodes = Vec::new();
+        rule.visit(0.0, PI, &across(&peaks, phase.edge), |theta, weight| {
+            let product = around(phase, &rule, &peaks, theta);
+            let cosine = libm::cos(theta);
+            nodes.push(Node {
+                rate: 1.0 / cosine.abs(),
+                down: cosine > 0.0,
+                weight: weight * libm::sin(theta) * product,
+            });
+        });
+        Self { nodes }
+    }
+
+    /// Radiance of order 2, δ parts left out.
+    pub(super) fn twice(&self, medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> f64 {
+        let exit = exit(medium, tau, geometry);
+        let pairs = self.nodes.iter().fold(0.0, |sum, node| {
+            let via = if node.down { exit.via_down(node.rate) } else { exit.via_up(node.rate) };
+            sum + node.weight * node.rate * via
+        });
+        let peaks = if medium.forward == 0.0 { 0.0 } else { forward(&exit, phase, geometry) };
+        let scale = medium.albedo / (1.0 - medium.forward);
+        scale * scale * exit.sun * exit.view * (pairs / (16.0 * PI) - 0.25 * medium.forward * peaks)
+    }
+}
+
+/// One of the two events forward: Ω' = Ω0 or Ω' = Ω.
+fn forward(exit: &Exit, phase: &Phase, geometry: &Geometry) -> f64 {
+    let late = if geometry.side == Side::Top { exit.via_up(exit.view) } else { exit.via_down(exit.view) };
+    phase.at(geometry.deflection()) * (exit.sun * exit.via_down(exit.sun) + exit.view * late)
+}
+
+/// Where panels in zenith angle end.
+fn across(peaks: &[Peak], edge: Option<f64>) -> Vec<Break> {
+    let mut breaks = vec![Break { at: FRAC_PI_2, least: HORIZON }];
+    for peak in peaks {
+        breaks.push(Break { at: peak.theta, least: peak.width });
+        if let Some(edge) = edge {
+            let least = EDGE * edge;
+            breaks.extend([-edge, edge].map(|off| Break { at: peak.theta + off, least }));
+        }
+    }
+    breaks
+}
+
+/// ∫P(Θ1)P(Θ2)dφ' at zenith angle `theta`.
+fn around(phase: &Phase, rule: &Rule, peaks: &[Peak], theta: f64) -> f64 {
+    let view = peaks[1].phi;
+    // Sun and view in one plane: both halves are alike.
+    let symmetric = view == 0.0 || view == PI;
+    let end = if symmetric { PI } else { 2.0 * PI };
+    let mut breaks = Vec::new();
+    for peak in peaks {
+        let ring = (libm::sin(theta) * libm::sin(peak.theta)).max(0.0).sqrt();
+        let across = theta - peak.theta;
+        let least = peak.width.max(across.abs()) / ring;
+        let mut near = |phi: f64, least: f64| {
+            breaks.extend([-2.0 * PI, 0.0, 2.0 * PI].map(|turn| Break { at: phi + turn, least }));
+        };
+        near(peak.phi, least);
+        if let Some(phi) = phase.edge.and_then(|edge| circle(edge, across, ring)) {
+            near(peak.phi + phi, f64::INFINITY);
+            near(peak.phi - phi, f64::INFINITY);
+        }
+    }
+    let mut sum = 0.0;
+    rule.visit(0.0, end, &breaks, |phi, weight| {
+        let first = phase.at(deflection(peaks[0].theta, theta, phi));
+        if first > 0.0 {
+            sum += weight * first * phase.at(deflection(peaks[1].theta, theta, phi - view));
+        }
+    });
+    if symmetric { 2.0 * sum } else { sum }
+}
+
+/// The azimuth at which the circle of radius `edge` is crossed.
+fn circle(edge: f64, across: f64, ring: f64) -> Option<f64> {
+    let (radius, offset) = (libm::sin(0.5 * edge), libm::sin(0.5 * across));
+    let square = (radius * radius - offset * offset) / (ring * ring);
+    (square > 0.0 && square < 1.0).then(|| 2.0 * libm::asin(square.sqrt()))
+}

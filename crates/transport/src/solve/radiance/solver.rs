@@ -1,0 +1,211 @@
+//! Radiance within a tolerance: rules and streams are refined until results agree.
+
+use super::double::{POINTS, Pairing};
+use super::phase::Phase;
+use super::radiances::Radiances;
+use super::scaled::Scaled;
+use super::series::{Request, beyond_twice};
+use super::single::once;
+use super::view::{Geometry, RadianceOrder, View};
+use crate::TransportError;
+use crate::solve::medium::SolveMedium;
+use rayon::prelude::*;
+use stratiform_quantities::{OpticalThickness, Range};
+use stratiform_stats::Estimate;
+
+/// Streams per hemisphere.
+const LADDER: [usize; 8] = [8, 16, 24, 32, 48, 64, 96, 128];
+
+/// Tolerances that can be met.
+const TOLERANCE: Range = Range { max_included: false, ..Range::closed(1e-8, 1.0) };
+
+/// Share of the tolerance left to the angular rule of order 2.
+const SHARE: f64 = 0.1;
+
+/// Rounding and limits (k = 0, μ = 0) relative to radiances of order one.
+const ROUNDING: f64 = 1e-8;
+
+/// A medium ready for radiances in any direction.
+#[derive(Clone)]
+pub struct RadianceSolver {
+    medium: SolveMedium,
+    /// Moments enough for the last rung.
+    chi: Vec<f64>,
+    tolerance: f64,
+}
+
+/// Two rules of order 2, the second finer.
+type Rules = [Pairing; 2];
+
+impl RadianceSolver {
+    /// Prepares radiances within `tolerance`: absolute below 1, relative above.
+    ///
+    /// # Errors
+    /// [`TransportError::Domain`] unless 1e-8 ≤ `tolerance` < 1.
+    pub fn new(medium: SolveMedium, tolerance: f64) -> Result<Self, TransportError> {
+        TOLERANCE.check("tolerance", tolerance)?;
+        let chi = medium.leading_moments(2 * LADDER[LADDER.len() - 1] + 1);
+        Ok(Self { medium, chi, tolerance })
+    }
+
+    /// The medium.
+    pub fn medium(&self) -> &SolveMedium {
+        &self.medium
+    }
+
+    /// Radiances of order 1, order 2 and in total, for every thickness, μ0 and view.
+    ///
+    /// # Errors
+    /// [`TransportError::Domain`] for τ, μ0 or a view, or if μ0 and a view's μ are both 0;
+    /// [`TransportError::NoThickness`], [`TransportError::NoIncidence`], [`TransportError::NoView`];
+    /// [`TransportError::Tolerance`] or [`TransportError::Rule`] if the finest streams or rule do not suffice.
+    pub fn radiance(&self, tau: &[f64], mu0: &[f64], views: &[View]) -> Result<Radiances, TransportError> {
+        self.radiance_up_to(RadianceOrder::Total, tau, mu0, views)
+    }
+
+    /// The same, orders beyond `highest` left out: 1 is immediate, 2 needs no streams.
+    ///
+    /// # Errors
+    /// As [`radiance`](Self::radiance).
+    pub fn radiance_up_to(
+        &self,
+        highest: RadianceOrder,
+        tau: &[f64],
+        mu0: &[f64],
+        views: &[View],
+    ) -> Result<Radiances, TransportError> {
+        let geometries = geometries(tau, mu0, views)?;
+        let clean: Vec<f64> = geometries.iter().map(|row| row[0].mu0).collect();
+        let request = Request { tau, mu0: &clean, geometries: &geometries };
+        let phase = Phase::new(&self.medium);
+        let as_it_is = Scaled::not(&self.medium);
+        let first = request.places().map(|(tau, _, geometry)| once(&as_it_is, &phase, tau, geometry));
+        let exact = |value: f64| Estimate { value, std_error: 4.0 * f64::EPSILON * value.abs() };
+        let mut orders = vec![first.map(exact).collect()];
+        let mut streams = 0;
+        if highest != RadianceOrder::One {
+            let rules = self.rules(&phase, &request)?;
+            orders.push(twice(&as_it_is, &phase, &request, &rules));
+            if highest == RadianceOrder::Total {
+                let (total, count) = self.climb(&phase, &request, &rules)?;
+                orders.push(total);
+                streams = count;
+            }
+        }
+        Ok(Radiances { suns: mu0.len(), views: views.len(), orders, streams })
+    }
+
+    /// Rules of order 2 for every geometry, fine enough for every thickness.
+    fn rules(&self, phase: &Phase, request: &Request) -> Result<Vec<Vec<Rules>>, TransportError> {
+        let flat: Vec<&Geometry> = request.geometries.iter().flatten().collect();
+        let rules: Vec<Rules> = flat
+            .par_iter()
+            .map(|geometry| self.rule(phase, request.tau, geometry))
+            .collect::<Result<_, TransportError>>()?;
+        let views = request.geometries[0].len();
+        Ok(rules.chunks(views).map(<[Rules]>::to_vec).collect())
+    }
+
+    fn rule(&self, phase: &Phase, tau: &[f64], geometry: &Geometry) -> Result<Rules, TransportError> {
+        let medium = Scaled::not(&self.medium);
+        let mut coarse = Pairing::new(phase, geometry, POINTS[0]);
+        let mut reached = f64::INFINITY;
+        for points in &POINTS[1..] {
+            let rules = [coarse, Pairing::new(phase, geometry, *points)];
+            let worst = tau.iter().fold(0.0_f64, |worst, tau| {
+                let estimate = by_rules(&rules, &medium, phase, *tau, geometry);
+                worst.max(excess(&estimate))
+            });
+            if worst <= SHARE * self.tolerance {
+                return Ok(rules);
+            }
+            reached = reached.min(worst);
+            [_, coarse] = rules;
+        }
+        Err(TransportError::Rule { wanted: SHARE * self.tolerance, reached })
+    }
+
+    /// Totals from the first rung that agrees with the one below.
+    fn climb(
+        &self,
+        phase: &Phase,
+        request: &Request,
+        rules: &[Vec<Rules>],
+    ) -> Result<(Vec<Estimate>, usize), TransportError> {
+        let mut rungs: Vec<Vec<Estimate>> = Vec::new();
+        let mut reached = f64::INFINITY;
+        for count in LADDER {
+            rungs.push(self.rung(phase, request, rules, count));
+            let [.., first, second, third] = rungs.as_slice() else { continue };
+            let total: Vec<Estimate> =
+                (0..third.len()).map(|i| settled(first[i], second[i], third[i])).collect();
+            let worst = total.iter().fold(0.0_f64, |worst, estimate| worst.max(excess(estimate)));
+            if worst <= self.tolerance {
+                return Ok((total, count));
+            }
+            reached = reached.min(worst);
+        }
+        let streams = LADDER[LADDER.len() - 1];
+        Err(TransportError::Tolerance { wanted: self.tolerance, reached, streams })
+    }
+
+    /// Totals with `count` streams; errors are those of order 2.
+    fn rung(&self, phase: &Phase, request: &Request, rules: &[Vec<Rules>], count: usize) -> Vec<Estimate> {
+        let medium = Scaled::new(&self.medium, &self.chi, count);
+        let rest = beyond_twice(&medium, request, self.tolerance);
+        let second = twice(&medium, phase, request, rules);
+        request
+            .places()
+            .zip(rest.iter().zip(&second))
+            .map(|((tau, _, geometry), (rest, second))| Estimate {
+                value: once(&medium, phase, tau, geometry) + second.value + rest,
+                std_error: second.std_error,
+            })
+            .collect()
+    }
+}
+
+/// Order 2 everywhere.
+fn twice(medium: &Scaled, phase: &Phase, request: &Request, rules: &[Vec<Rules>]) -> Vec<Estimate> {
+    let views = request.geometries[0].len();
+    let places: Vec<(f64, usize, &Geometry)> = request.places().collect();
+    let of = |(place, (tau, sun, geometry)): (usize, &(f64, usize, &Geometry))| {
+        by_rules(&rules[*sun][place % views], medium, phase, *tau, geometry)
+    };
+    places.par_iter().enumerate().map(of).collect()
+}
+
+fn by_rules(rules: &Rules, medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> Estimate {
+    let [coarse, fine] = [0, 1].map(|i| rules[i].twice(medium, phase, tau, geometry));
+    Estimate { value: fine, std_error: (fine - coarse).abs() + f64::EPSILON * fine.abs() }
+}
+
+/// The last of three rungs with its error: the last step, or a quarter of the one before lest two rungs agree by
+/// chance, and the error of order 2.
+fn settled(first: Estimate, second: Estimate, third: Estimate) -> Estimate {
+    let step = (third.value - second.value).abs().max(0.25 * (second.value - first.value).abs());
+    let error = step + third.std_error + ROUNDING * third.value.abs().max(1.0);
+    Estimate { value: third.value, std_error: if error.is_finite() { error } else { f64::INFINITY } }
+}
+
+/// Error in units of the tolerance's scale.
+fn excess(estimate: &Estimate) -> f64 {
+    let excess = estimate.std_error / estimate.value.abs().max(1.0);
+    if excess.is_finite() { excess } else { f64::INFINITY }
+}
+
+fn geometries(tau: &[f64], mu0: &[f64], views: &[View]) -> Result<Vec<Vec<Geometry>>, TransportError> {
+    if tau.is_empty() {
+        return Err(TransportError::NoThickness);
+    }
+    if mu0.is_empty() {
+        return Err(TransportError::NoIncidence);
+    }
+    if views.is_empty() {
+        return Err(TransportError::NoView);
+    }
+    for &tau in tau {
+        OpticalThickness::new(tau)?;
+    }
+    mu0.iter().map(|mu0| views.iter().map(|view| Geometry::new(*mu0, view)).collect()).collect()
+}
