@@ -6,7 +6,7 @@ mod agreement;
 mod convergence;
 mod curves;
 pub mod fluxes;
-mod ladder;
+pub mod ladder;
 mod notes;
 pub mod optics;
 mod published;
