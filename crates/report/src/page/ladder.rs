@@ -5,6 +5,9 @@ use crate::figures::RUNGS;
 use maud::{Markup, html};
 use stratiform_artifact::LadderRow;
 
+/// Heading of the first line of a rung, which carries its sentence.
+const STEEP: &str = "≤ 80°";
+
 fn words(rung: &str) -> &'static str {
     match rung {
         "solver" => "Deterministic solver, double precision: its own estimated error.",
@@ -56,7 +59,7 @@ fn lines(rung: &str, rows: &[LadderRow]) -> Markup {
                 td class="words" colspan="5" { strong { (row.note) } }
             }
         }
-        @for (angles, name) in [(LadderRow::TO_80, "≤ 80°"), (LadderRow::ALL, "all")] {
+        @for (angles, name) in [(LadderRow::TO_80, STEEP), (LadderRow::ALL, "all")] {
             (line(rung, name, &here.iter().copied().filter(|row| row.angles == angles && row.rms.is_some()).collect::<Vec<_>>()))
         }
     }
@@ -83,8 +86,8 @@ fn line(rung: &str, angles: &str, rows: &[&LadderRow]) -> Markup {
         tr {
             th { (rung) }
             td class="words" {
-                (words(rung))
-                @if !worst.note.is_empty() && rung == "shader" { " " small { "Device: " (worst.note) "." } }
+                @if angles == STEEP { (words(rung)) }
+                @if angles == STEEP && !worst.note.is_empty() && rung == "shader" { " " small { "Device: " (worst.note) "." } }
             }
             td { (angles) }
             td { (cell(true)) }

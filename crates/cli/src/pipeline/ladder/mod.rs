@@ -84,7 +84,7 @@ fn direct_fit(
     let settings = FitConfig {
         theta_l_deg: between(config).iter().filter_map(RowIncidence::degrees).collect(),
         shared_beta_up_to_deg: 90.0,
-        bounds: ParameterBounds { beta: [beta * (1.0 - 1e-12), beta], ..config.fit.bounds.clone() },
+        bounds: ParameterBounds { beta: [beta * (1.0 - 1e-12), beta], ..config.fit.bounds },
         thickness_m: config.fit.thickness_m,
     };
     stratiform_fit::fit(&settings, references, parameters.medium.clone(), parameters.provenance.clone())

@@ -45,11 +45,6 @@ impl Device {
 }
 
 #[cfg(not(feature = "gpu"))]
-#[expect(
-    clippy::unused_self,
-    clippy::unnecessary_wraps,
-    reason = "the same interface with and without a device"
-)]
 impl Device {
     /// Nothing to open.
     pub fn open() -> Self {
