@@ -10,6 +10,7 @@ mod curves;
 mod error;
 mod hash;
 mod json;
+mod ladder;
 mod notes;
 mod optics;
 mod orders;
@@ -27,6 +28,7 @@ pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
 pub use hash::{hash_bytes, hash_of};
 pub use json::{read_json, to_json, write_json};
+pub use ladder::LadderRow;
 pub use notes::{
     AngularShares, CoarseTabulation, ModifiedBias, NotesDocument, PublishedMisfit, WavelengthShares,
 };

@@ -52,8 +52,10 @@ fn figures_are_well_formed_labelled_and_complete() {
     let figures = drawn(|_| ());
     let names: Vec<&str> = figures.keys().map(String::as_str).collect();
     let expected = [
+        "agreement.svg",
         "convergence.svg",
         "droplet-sizes.svg",
+        "ladder.svg",
         "misfit.svg",
         "orders-theta-0.svg",
         "orders-theta-40.svg",

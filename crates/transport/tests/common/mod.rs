@@ -22,18 +22,6 @@ pub fn isotropic() -> Arc<dyn PhaseFunction> {
     Arc::new(Isotropic)
 }
 
-/// The paper's cloud at 0.55 µm.
-pub fn cloud() -> Arc<dyn PhaseFunction> {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/accepted/phase_full.csv");
-    Arc::new(PhaseTable::read(Path::new(file), Norm::Strict).unwrap())
-}
-
-pub fn modified_cloud() -> TraceMedium {
-    let phase = Modified::new(cloud(), 5.0).unwrap();
-    let forward = phase.forward_fraction();
-    TraceMedium::modified(Arc::new(phase), SingleScatteringAlbedo::CONSERVATIVE, forward).unwrap()
-}
-
 pub fn full(phase: Arc<dyn PhaseFunction>, omega: f64) -> TraceMedium {
     TraceMedium::full(phase, SingleScatteringAlbedo::new(omega).unwrap())
 }
@@ -45,7 +33,7 @@ pub fn modified(phase: Arc<dyn PhaseFunction>, omega: f64, forward_fraction: f64
 /// The paper's cloud at 0.55 µm as accepted in fit-configs.
 pub fn cloud() -> Arc<dyn PhaseFunction> {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/accepted/phase_full.csv");
-    Arc::new(PhaseTable::read(std::path::Path::new(file), Norm::Strict).unwrap())
+    Arc::new(PhaseTable::read(Path::new(file), Norm::Strict).unwrap())
 }
 
 /// The cloud's modified medium, θ_f = 5°.
