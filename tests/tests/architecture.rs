@@ -24,6 +24,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "cli",
         &[
             "quantities",
+            "gpu",
             "stats",
             "reference-data",
             "artifact",

@@ -54,6 +54,7 @@ fn is_timed(name: &str) -> bool {
     name == "manifest.json"
         || name.contains("convergence")
         || name.contains("quadrature")
+        || name.contains("solver")
         || name == "report.html"
 }
 

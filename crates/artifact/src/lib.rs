@@ -10,6 +10,7 @@ mod curves;
 mod error;
 mod hash;
 mod json;
+mod ladder;
 mod notes;
 mod optics;
 mod orders;
@@ -17,6 +18,7 @@ mod parameters;
 mod provenance;
 mod quadrature;
 mod radiance;
+mod solver_cost;
 mod table;
 
 pub use agreement::{AgreementDocument, AgreementRow};
@@ -26,6 +28,7 @@ pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
 pub use hash::{hash_bytes, hash_of};
 pub use json::{read_json, to_json, write_json};
+pub use ladder::LadderRow;
 pub use notes::{
     AngularShares, CoarseTabulation, ModifiedBias, NotesDocument, PublishedMisfit, WavelengthShares,
 };
@@ -38,4 +41,5 @@ pub use parameters::{
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
 pub use radiance::{Face, RadianceDocument, RadianceResult};
+pub use solver_cost::SolverCostRow;
 pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};

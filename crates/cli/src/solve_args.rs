@@ -27,8 +27,8 @@ pub struct SolveArgs {
     /// Radiance instead of fluxes: cosines of the leaving light's angle to the normal, in [0, 1].
     #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "MU,...")]
     pub view_mu: Vec<f64>,
-    /// Azimuths in degrees for --view-mu; at 0 light keeps the sun's. The glory is side top, 180, mu = mu0.
-    #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "DEG,...", default_value = "0")]
+    /// Azimuths in degrees for --view-mu; default 0, where light keeps the sun's. The glory is side top, 180, mu = mu0.
+    #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "DEG,...", requires = "view_mu")]
     pub phi: Vec<f64>,
     /// Orders listed one by one, at most 60 (2 for radiance); the rest is the tail.
     #[arg(long, default_value_t = 2)]

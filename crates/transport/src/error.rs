@@ -17,10 +17,10 @@ pub enum TransportError {
     /// No view was asked for.
     #[error("views: the list of view directions is empty")]
     NoView,
-    /// The finest angular rule of order 2 does not reach its share of the tolerance.
-    #[error("tolerance: the angular rule of order 2 reaches {reached:.1e} where {wanted:.1e} is needed")]
+    /// The finest angular rule of order 2 does not reach the tolerance.
+    #[error("tolerance = {wanted:e} is not met: the finest angular rule of order 2 reaches {reached:.1e}")]
     Rule {
-        /// Needed.
+        /// Asked for.
         wanted: f64,
         /// Estimated error at the end.
         reached: f64,

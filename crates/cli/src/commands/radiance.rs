@@ -23,8 +23,8 @@ pub fn run(args: &SolveArgs) -> Result<Data, CliError> {
     let mu0 = cosines(&args.mu0)?;
     let orders = orders(args.orders)?;
     let views = views(args);
-    let medium = Medium::parse(&args.medium)?;
     let tolerance = args.tolerance.unwrap_or(TOLERANCE);
+    let medium = Medium::parse(&args.medium)?;
     let solver =
         RadianceSolver::new(SolveMedium::from(medium.traced()), tolerance).map_err(pipeline::trace_error)?;
     let solved = solver.radiance(&args.tau, &mu0, &views).map_err(pipeline::trace_error)?;
@@ -69,9 +69,10 @@ fn orders(highest: u32) -> Result<Vec<RadianceOrder>, CliError> {
 
 /// Every μ at every azimuth, above and below.
 fn views(args: &SolveArgs) -> Vec<View> {
+    let azimuths = if args.phi.is_empty() { &[0.0][..] } else { &args.phi };
     let mut views = Vec::new();
     for &mu in &args.view_mu {
-        for &phi_deg in &args.phi {
+        for &phi_deg in azimuths {
             views.extend([Side::Top, Side::Bottom].map(|side| View { side, mu, phi_deg }));
         }
     }

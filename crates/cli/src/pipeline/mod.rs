@@ -1,4 +1,4 @@
-//! The chain in order: optics, reference, fit, codegen, witness, agreement, convergence, notes, report. Each stage leaves files and is
+//! The chain in order: optics, reference, fit, codegen, witness, agreement, ladder, convergence, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;
@@ -6,6 +6,7 @@ mod agreement;
 mod convergence;
 mod curves;
 pub mod fluxes;
+pub mod ladder;
 mod notes;
 pub mod optics;
 mod published;
@@ -13,6 +14,7 @@ mod quadrature;
 pub mod reference;
 mod run;
 pub mod solved;
+mod solver_cost;
 pub mod source;
 mod stage;
 mod table;

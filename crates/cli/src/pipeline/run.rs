@@ -3,8 +3,8 @@
 use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
-    accepted, agreement, convergence, curves, fluxes, input_error, notes, optics, published, quadrature,
-    source,
+    accepted, agreement, convergence, curves, fluxes, input_error, ladder, notes, optics, published,
+    quadrature, source,
 };
 use crate::CliError;
 use crate::config::{Config, Source};
@@ -12,7 +12,8 @@ use crate::output::Talk;
 use crate::progress;
 use std::path::Path;
 use stratiform_artifact::{
-    OpticsDocument, ParametersDocument, Provenance, create_folder, read_csv, read_json, write_csv, write_json,
+    LadderRow, OpticsDocument, ParametersDocument, Provenance, create_folder, read_csv, read_json, write_csv,
+    write_json,
 };
 use stratiform_codegen::{Inputs, PhaseRow, PhaseTables};
 use stratiform_fit::Reference;
@@ -99,13 +100,16 @@ impl Chain<'_> {
         let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
         work.stage("codegen", &before, |dir| codegen(parameters, cloud, dir))?;
         self.agreement(work, parameters)?;
+        self.ladder(work, parameters)?;
         self.convergence(work, &before)?;
         work.stage("notes", &(&before, provenance, config.published_table), |dir| {
             notes(config, document, cloud, parameters, provenance, dir)
         })?;
-        let inputs = ["optics", "reference", "fit", "agreement", "convergence", "quadrature", "notes"]
-            .map(|stage| work.hash_of_stage(stage));
+        let inputs =
+            ["optics", "reference", "fit", "agreement", "ladder", "convergence", "quadrature", "notes"]
+                .map(|stage| work.hash_of_stage(stage));
         work.stage("report", &inputs, report)?;
+        talk.say(format!("\n{}\n", ladder::table(&read_csv::<LadderRow>(&work.dir().join("ladder.csv"))?)));
         if let Some(agreement) = agreement::read(work.dir()) {
             talk.say(agreement);
         }
@@ -132,6 +136,21 @@ impl Chain<'_> {
                 Source::Solve => [&other, parameters],
             };
             agreement::write(dir, solved, traced, photons)
+        })
+    }
+
+    fn ladder(&self, work: &mut Workspace, parameters: &ParametersDocument) -> Result<(), CliError> {
+        let Self { config, cloud, .. } = *self;
+        let folders = match config.transport.source {
+            Source::Trace => ladder::Folders { solved: "witness", traced: Some("") },
+            Source::Solve => {
+                ladder::Folders { solved: "", traced: config.transport.photons.map(|_| "witness") }
+            }
+        };
+        let device = ladder::Device::open();
+        let stages = ["reference", "fit", "codegen", "witness"].map(|stage| work.hash_of_stage(stage));
+        work.stage("ladder", &(stages, &config.fit, device.name()), |dir| {
+            ladder::write(config, cloud, parameters, &folders, &device, dir)
         })
     }
 

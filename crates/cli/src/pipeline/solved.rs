@@ -48,7 +48,7 @@ fn solve_medium(
     tau: &[f64],
     incidences: &[Incidence],
 ) -> Result<Solved, CliError> {
-    let name = format!("{} medium", medium.medium());
+    let name = format!("transport.tolerance, {} medium", medium.medium());
     let solver = Solver::new(medium, tolerance).map_err(super::trace_error)?;
     solver.orders(tau, incidences, MAX_ORDER).map_err(|error| super::trace_error(error).at(&name))
 }

@@ -40,11 +40,6 @@ impl Kernel {
         Self { moments, projections, even, odd }
     }
 
-    /// Largest number of streams served.
-    pub(crate) fn size(&self) -> usize {
-        self.even.size()
-    }
-
     /// W^{1/2} p W^{1/2} between streams, for even and odd l.
     pub(crate) fn between(&self, streams: &Streams) -> (Matrix, Matrix) {
         let to_nodes = |coefficients: &Matrix| {

@@ -8,8 +8,9 @@ use stratiform_quantities::{Medium, Range, SingleScatteringAlbedo};
 /// Most moments used; what a longer series would add counts as error.
 const MOST: usize = 1 << 13;
 
+/// A phase function, or the moments that define one.
 #[derive(Clone)]
-enum Source {
+pub(crate) enum Source {
     Phase(Arc<dyn PhaseFunction>),
     Moments(Vec<f64>),
 }
@@ -48,20 +49,8 @@ impl SolveMedium {
         self.medium
     }
 
-    /// P at 1 - cosΘ.
-    pub(crate) fn phase(&self, deflection: f64) -> f64 {
-        match &self.source {
-            Source::Phase(phase) => phase.value(deflection),
-            Source::Moments(chi) => legendre_sum(chi, 1.0 - deflection),
-        }
-    }
-
-    /// 1 - cosΘ below which P is 0, if there is such a hole.
-    pub(crate) fn hole(&self) -> Option<f64> {
-        match &self.source {
-            Source::Phase(phase) => Some(phase.invert(0.0)).filter(|edge| *edge > 1e-8),
-            Source::Moments(_) => None,
-        }
+    pub(crate) fn source(&self) -> &Source {
+        &self.source
     }
 
     /// χ_0 … χ_{count-1}; 0 beyond those given.
@@ -91,17 +80,6 @@ impl SolveMedium {
             count *= 2;
         }
     }
-}
-
-/// Σ(2l+1)χ_l P_l(x).
-fn legendre_sum(chi: &[f64], x: f64) -> f64 {
-    let (mut before, mut value, mut sum) = (0.0, 1.0, 0.0);
-    for (l, chi) in chi.iter().enumerate() {
-        let (l, odd) = (l as f64, (2 * l + 1) as f64);
-        sum += odd * chi * value;
-        (before, value) = (value, (odd * x * value - l * before) / (l + 1.0));
-    }
-    sum
 }
 
 impl From<&TraceMedium> for SolveMedium {

@@ -27,12 +27,13 @@ pub(crate) struct Streams {
 
 impl Streams {
     pub(crate) fn new(count: usize) -> Self {
-        let y = nodes(count);
+        let table: Vec<(f64, f64)> = (0..=count).map(recurrence).collect();
+        let y = nodes(&table);
         let mut transform = Matrix::zeros(count);
         let mut weight = Vec::with_capacity(count);
         for (i, y) in y.iter().enumerate() {
             let row = transform.row_mut(i);
-            polynomials(*y, row);
+            polynomials(*y, &table, row);
             // The rule's weights are 1/Σφ_k².
             weight.push(1.0 / dot(row, row));
             row.iter_mut().for_each(|value| *value *= weight[i].sqrt());
@@ -66,29 +67,30 @@ pub(crate) fn recurrence(k: usize) -> (f64, f64) {
 }
 
 /// φ_0(y) … φ_{n-1}(y).
-fn polynomials(y: f64, row: &mut [f64]) {
+fn polynomials(y: f64, table: &[(f64, f64)], row: &mut [f64]) {
     let (mut before, mut value) = (0.0, 1.0);
-    for (k, entry) in row.iter_mut().enumerate() {
+    for (entry, pair) in row.iter_mut().zip(table.windows(2)) {
         *entry = value;
-        let (a, b) = recurrence(k);
-        (before, value) = (value, ((2.0 * y - 1.0 - a) * value - b * before) / recurrence(k + 1).1);
+        let [(a, b), (_, up)] = [pair[0], pair[1]];
+        (before, value) = (value, ((2.0 * y - 1.0 - a) * value - b * before) / up);
     }
 }
 
 /// y, falling: zeros of φ_n by Newton's method, each zero divided out once it is found (Maehly 1954).
-fn nodes(count: usize) -> Vec<f64> {
+fn nodes(table: &[(f64, f64)]) -> Vec<f64> {
     const STEPS: usize = 40;
+    let count = table.len() - 1;
     let (n, beta) = (count as f64, POWER as f64 - 1.0);
-    let table: Vec<(f64, f64)> = (0..=count).map(|k| recurrence(k)).collect();
     let mut found: Vec<f64> = Vec::with_capacity(count);
     for i in 0..count {
         let guess = libm::cos(PI * (2.0 * i as f64 + 1.5) / (2.0 * n + beta + 1.0));
         let mut y = 0.5 * (1.0 + guess);
         for _ in 0..STEPS {
             let others = found.iter().fold(0.0, |sum, other| sum + 1.0 / (y - other));
-            let step = 1.0 / (logarithmic_slope(y, &table) - others);
+            let step = 1.0 / (logarithmic_slope(y, table) - others);
             y -= step;
-            if step.abs() <= f64::EPSILON * y {
+            // Convergence is quadratic: the next step would be rounding.
+            if step.abs() <= 1e-10 * y {
                 break;
             }
         }

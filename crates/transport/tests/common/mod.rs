@@ -22,24 +22,25 @@ pub fn isotropic() -> Arc<dyn PhaseFunction> {
     Arc::new(Isotropic)
 }
 
-/// The paper's cloud at 0.55 µm.
-pub fn cloud() -> Arc<dyn PhaseFunction> {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/accepted/phase_full.csv");
-    Arc::new(PhaseTable::read(Path::new(file), Norm::Strict).unwrap())
-}
-
-pub fn modified_cloud() -> TraceMedium {
-    let phase = Modified::new(cloud(), 5.0).unwrap();
-    let forward = phase.forward_fraction();
-    TraceMedium::modified(Arc::new(phase), SingleScatteringAlbedo::CONSERVATIVE, forward).unwrap()
-}
-
 pub fn full(phase: Arc<dyn PhaseFunction>, omega: f64) -> TraceMedium {
     TraceMedium::full(phase, SingleScatteringAlbedo::new(omega).unwrap())
 }
 
 pub fn modified(phase: Arc<dyn PhaseFunction>, omega: f64, forward_fraction: f64) -> TraceMedium {
     TraceMedium::modified(phase, SingleScatteringAlbedo::new(omega).unwrap(), forward_fraction).unwrap()
+}
+
+/// The paper's cloud at 0.55 µm as accepted in fit-configs.
+pub fn cloud() -> Arc<dyn PhaseFunction> {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/accepted/phase_full.csv");
+    Arc::new(PhaseTable::read(Path::new(file), Norm::Strict).unwrap())
+}
+
+/// The cloud's modified medium, θ_f = 5°.
+pub fn modified_cloud() -> TraceMedium {
+    let cut = Modified::new(cloud(), 5.0).unwrap();
+    let forward_fraction = cut.forward_fraction();
+    modified(Arc::new(cut), 1.0, forward_fraction)
 }
 
 pub fn request(tau: &[f64], incidence: Incidence, photons: u64) -> TraceRequest {

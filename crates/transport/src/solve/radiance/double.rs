@@ -14,7 +14,7 @@ use super::panels::{Break, Rule};
 use super::phase::Phase;
 use super::scaled::Scaled;
 use super::single::exit;
-use super::view::{Geometry, Side, deflection};
+use super::view::{Geometry, Side};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Points per panel: a rule is held against the one before.
@@ -112,33 +112,62 @@ fn around(phase: &Phase, rule: &Rule, peaks: &[Peak], theta: f64) -> f64 {
     // Sun and view in one plane: both halves are alike.
     let symmetric = view == 0.0 || view == PI;
     let end = if symmetric { PI } else { 2.0 * PI };
-    let mut breaks = Vec::new();
-    for peak in peaks {
-        let ring = (libm::sin(theta) * libm::sin(peak.theta)).max(0.0).sqrt();
-        let across = theta - peak.theta;
-        let least = peak.width.max(across.abs()) / ring;
-        let mut near = |phi: f64, least: f64| {
-            breaks.extend([-2.0 * PI, 0.0, 2.0 * PI].map(|turn| Break { at: phi + turn, least }));
-        };
-        near(peak.phi, least);
-        if let Some(phi) = phase.edge.and_then(|edge| circle(edge, across, ring)) {
-            near(peak.phi + phi, f64::INFINITY);
-            near(peak.phi - phi, f64::INFINITY);
-        }
-    }
+    let rings: Vec<Ring> = peaks.iter().map(|peak| Ring::new(peak.theta, theta)).collect();
+    let breaks = breaks_around(phase, peaks, &rings);
+    let (view_sine, view_cosine) = libm::sincos(0.5 * view);
     let mut sum = 0.0;
     rule.visit(0.0, end, &breaks, |phi, weight| {
-        let first = phase.at(deflection(peaks[0].theta, theta, phi));
+        let (sine, cosine) = libm::sincos(0.5 * phi);
+        let first = phase.at(rings[0].deflection(sine));
         if first > 0.0 {
-            sum += weight * first * phase.at(deflection(peaks[1].theta, theta, phi - view));
+            sum += weight * first * phase.at(rings[1].deflection(sine * view_cosine - cosine * view_sine));
         }
     });
     if symmetric { 2.0 * sum } else { sum }
 }
 
-/// The azimuth at which the circle of radius `edge` is crossed.
-fn circle(edge: f64, across: f64, ring: f64) -> Option<f64> {
-    let (radius, offset) = (libm::sin(0.5 * edge), libm::sin(0.5 * across));
-    let square = (radius * radius - offset * offset) / (ring * ring);
-    (square > 0.0 && square < 1.0).then(|| 2.0 * libm::asin(square.sqrt()))
+/// A circle of zenith angle θ' as seen from a direction of zenith angle θ.
+struct Ring {
+    /// 2 sin²((θ-θ')/2).
+    across: f64,
+    /// sinθ sinθ'.
+    radius: f64,
+    /// |θ-θ'|.
+    distance: f64,
+}
+
+impl Ring {
+    fn new(theta: f64, other: f64) -> Self {
+        let sine = libm::sin(0.5 * (theta - other));
+        let radius = (libm::sin(theta) * libm::sin(other)).max(0.0);
+        Self { across: 2.0 * sine * sine, radius, distance: (theta - other).abs() }
+    }
+
+    /// 1 - cosΘ at an azimuth whose half has this sine.
+    fn deflection(&self, half_sine: f64) -> f64 {
+        (self.across + 2.0 * self.radius * half_sine * half_sine).min(2.0)
+    }
+
+    /// The azimuth at which Θ is `edge`.
+    fn crossing(&self, edge: f64) -> Option<f64> {
+        let half = libm::sin(0.5 * edge);
+        let square = (half * half - 0.5 * self.across) / self.radius;
+        (square > 0.0 && square < 1.0).then(|| 2.0 * libm::asin(square.sqrt()))
+    }
+}
+
+/// Where panels in azimuth end.
+fn breaks_around(phase: &Phase, peaks: &[Peak], rings: &[Ring]) -> Vec<Break> {
+    let mut breaks = Vec::new();
+    for (peak, ring) in peaks.iter().zip(rings) {
+        let mut near = |phi: f64, least: f64| {
+            breaks.extend([-2.0 * PI, 0.0, 2.0 * PI].map(|turn| Break { at: phi + turn, least }));
+        };
+        near(peak.phi, peak.width.max(ring.distance) / ring.radius.sqrt());
+        if let Some(phi) = phase.edge.and_then(|edge| ring.crossing(edge)) {
+            near(peak.phi + phi, f64::INFINITY);
+            near(peak.phi - phi, f64::INFINITY);
+        }
+    }
+    breaks
 }

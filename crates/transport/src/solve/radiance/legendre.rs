@@ -59,7 +59,7 @@ mod tests {
     #[test]
     fn the_addition_theorem_holds() {
         const L: usize = 40;
-        let (a, b, phi) = (0.83, -0.31, 1.1);
+        let (a, b, phi): (f64, f64, f64) = (0.83, -0.31, 1.1);
         let cosine = a * b + ((1.0 - a * a) * (1.0 - b * b)).sqrt() * libm::cos(phi);
         let mut expected = vec![0.0; L];
         legendre_row(cosine, &mut expected);

@@ -3,13 +3,13 @@
 //! **Orders 1 and 2** are computed with the full phase function: a closed form (`single`) and an integral over the
 //! intermediate direction whose depth part is closed (`double`, `depth`, `panels`).
 //!
-//! **The total** = orders 1 and 2 of a δ-M scaled medium, exact, with its P'' = (P-fδ)/(1-f), plus what discrete
-//! ordinates with 2n moments give for orders 3 and above (`scaled`, `mode`, `response`, `series`). With order 1 alone
-//! this is TMS of Nakajima & Tanaka (1988); order 2 brings in what small-angle events do to the glory and to the aureole,
-//! which their IMS approximates forward only, and the kinks at the horizon. What remains is smooth: moments beyond 2n
-//! enter only where three events in a row are narrow.
+//! **The total** is that of a δ-M scaled medium (`scaled`): its orders 1 and 2, exact, with P'' = (P-fδ)/(1-f); discrete
+//! ordinates for orders 3 and above of the L moments kept (`mode`, `response`, `series`); and, in the limit of small angles, all
+//! further orders of the moments left out (`narrow`). With order 1 alone this is TMS of Nakajima & Tanaka (1988). Measured on the
+//! paper's cloud (τ = 5, θ_l = θ_v = 60°, 16 streams): the glory is off by 3.5 % with TMS, 1.7 % with order 2, 0.01 %
+//! with `narrow`; light from the sun's own direction by a factor 6.3, 0.3 %, 0.01 %.
 //!
-//! Streams are added until results agree (`solver`); the error reported is the last change. Each azimuthal
+//! Streams are added until results agree (`solver`); the error reported is the last change, doubled. Each azimuthal
 //! mode is reduced to a symmetric eigenproblem (`eigen`). Units: τ of the full medium; φ in degrees. Domain: τ from
 //! 0 to 1e6; μ0 and μ from 0 (a limit) to 1, not both 0; ω from 0 to 1. In the modified medium orders count wide
 //! events. Errors: [`TransportError`](crate::TransportError).
@@ -19,12 +19,14 @@ mod double;
 mod eigen;
 mod legendre;
 mod mode;
+mod narrow;
 mod panels;
 mod phase;
 mod radiances;
 mod response;
 mod scaled;
 mod series;
+mod series_table;
 mod single;
 mod solver;
 mod view;

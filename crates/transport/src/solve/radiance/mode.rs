@@ -1,8 +1,8 @@
 //! One azimuthal mode of the scaled medium: its streams, how they scatter, and how its light decays.
 //!
 //! As `solve::modes`, for p_m(μ,μ') = Σ(2l+1)χ_l Λ_l^mΛ_l^m over l - m even or odd. Streams are Gauss points
-//! on (0, 1) (double Gauss, Sykes 1951): l < 2n are integrated over each hemisphere without error, so that nothing
-//! is lost at m = 0.
+//! on (0, 1) (double Gauss, Sykes 1951), which integrate each P_l in use over its hemisphere without error: nothing is
+//! lost at m = 0.
 
 use super::eigen;
 use super::legendre::{associated, gauss};

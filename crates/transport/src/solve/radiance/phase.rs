@@ -1,11 +1,13 @@
 //! What the exact orders need of a phase function: its values, and where they change quickly.
 
-use crate::solve::medium::SolveMedium;
+use super::series_table::SeriesTable;
+use crate::solve::medium::{SolveMedium, Source};
+use stratiform_optics::phase::PhaseFunction;
 
 /// Values of P with its angular scales.
 #[derive(Clone)]
 pub(super) struct Phase<'a> {
-    medium: &'a SolveMedium,
+    values: Values<'a>,
     /// Angle over which P halves from the forward direction, radians; θ_f where there is nothing forward.
     pub(super) peak: f64,
     /// The same from the backward direction, if P is strong there.
@@ -14,22 +16,43 @@ pub(super) struct Phase<'a> {
     pub(super) edge: Option<f64>,
 }
 
+/// 1 - cosΘ below which P = 0 is no hole.
+const NARROWEST: f64 = 1e-8;
+
 /// Backward values that count as a peak.
 const STRONG: f64 = 3.0;
 
+#[derive(Clone)]
+enum Values<'a> {
+    Function(&'a dyn PhaseFunction),
+    Series(SeriesTable),
+}
+
+impl Values<'_> {
+    fn at(&self, deflection: f64) -> f64 {
+        match self {
+            Self::Function(phase) => phase.value(deflection),
+            Self::Series(table) => table.at(angle(deflection)),
+        }
+    }
+}
+
 impl<'a> Phase<'a> {
     pub(super) fn new(medium: &'a SolveMedium) -> Self {
-        let edge = medium.hole().map(angle);
-        let value = |theta: f64| medium.phase(deflection(theta));
-        let peak = edge.unwrap_or_else(|| half_width(value));
-        let mirrored = |theta: f64| medium.phase(2.0 - deflection(theta));
+        let (values, hole) = match medium.source() {
+            Source::Phase(phase) => (Values::Function(phase.as_ref()), phase.invert(0.0)),
+            Source::Moments(chi) => (Values::Series(SeriesTable::new(chi)), 0.0),
+        };
+        let edge = (hole > NARROWEST).then(|| angle(hole));
+        let peak = edge.unwrap_or_else(|| half_width(|theta| values.at(deflection(theta))));
+        let mirrored = |theta: f64| values.at(2.0 - deflection(theta));
         let back = (mirrored(0.0) > STRONG).then(|| half_width(mirrored));
-        Self { medium, peak, back, edge }
+        Self { values, peak, back, edge }
     }
 
     /// P at 1 - cosΘ.
     pub(super) fn at(&self, deflection: f64) -> f64 {
-        self.medium.phase(deflection)
+        self.values.at(deflection)
     }
 }
 

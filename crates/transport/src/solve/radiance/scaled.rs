@@ -1,8 +1,11 @@
 //! The medium as the solver sees it, and δ-M scaling (Wiscombe 1977).
 //!
-//! With f = χ_{2n}, the moment after the last that n streams per hemisphere resolve, a share f of all events counts as
-//! no scattering: τ' = (1-ωf)τ, ω' = ω(1-f)/(1-ωf), χ_l' = (χ_l-f)/(1-f). f may be negative (the
-//! modified phase function has a hole forward).
+//! With f = χ_L, the first moment left to others, a share f of all events counts as no scattering: τ' = (1-ωf)τ, ω' =
+//! ω(1-f)/(1-ωf), χ_l' = (χ_l-f)/(1-f). f may be negative (the modified phase function has a hole forward).
+//!
+//! L = 3n/2 for n streams per hemisphere. DISORT takes 2n, but a rule of n points mixes up functions whose degrees add up to
+//! 2n or more; what L leaves out is known well from elsewhere (`double`, `narrow`), and with L = 2n the aureole of the paper's
+//! cloud is worse by two orders.
 
 use crate::solve::medium::SolveMedium;
 
@@ -14,7 +17,7 @@ pub(super) struct Scaled {
     /// Per unit of the full medium's optical thickness.
     pub(super) extinction: f64,
     pub(super) albedo: f64,
-    /// χ_l' for l < 2n.
+    /// χ_l' for l < L.
     pub(super) moments: Vec<f64>,
 }
 
@@ -25,13 +28,14 @@ impl Scaled {
         Self { forward: 0.0, extinction, albedo, moments: Vec::new() }
     }
 
-    /// For `streams` per hemisphere; `chi` has at least 2·`streams` + 1 moments.
+    /// For `streams` per hemisphere; `chi` has more than 3/2 of that many moments.
     pub(super) fn new(medium: &SolveMedium, chi: &[f64], streams: usize) -> Self {
+        let resolved = 3 * streams / 2;
         // A forward delta is all peak.
-        let forward = chi[2 * streams].min(1.0 - 1e-12);
+        let forward = chi[resolved].min(1.0 - 1e-12);
         let kept = 1.0 - forward;
         let scale = 1.0 - medium.albedo * forward;
-        let moments = chi[..2 * streams].iter().map(|chi| (chi - forward) / kept).collect();
+        let moments = chi[..resolved].iter().map(|chi| (chi - forward) / kept).collect();
         let albedo = (medium.albedo * kept / scale).min(1.0);
         Self { forward, extinction: medium.extinction * scale, albedo, moments }
     }

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 const BATCH: usize = 8;
 
 /// Share of the tolerance that counts as nothing.
-const NOTHING: f64 = 0.01;
+pub(super) const NOTHING: f64 = 0.01;
 
 /// What is asked for: geometries, views inside suns, at every thickness.
 pub(super) struct Request<'a> {
@@ -36,9 +36,9 @@ impl Request<'_> {
 }
 
 /// The series at every place.
-pub(super) fn beyond_twice(medium: &Scaled, request: &Request, tolerance: f64) -> Vec<f64> {
+pub(super) fn beyond_twice(medium: &Scaled, count: usize, request: &Request, tolerance: f64) -> Vec<f64> {
     let places: Vec<(f64, usize, &Geometry)> = request.places().collect();
-    let streams = Streams::new(medium.moments.len() / 2);
+    let streams = Streams::new(count);
     let mut sums = vec![0.0; places.len()];
     let mut small = 0;
     let modes: Vec<usize> = (0..medium.moments.len() - 1).collect();

@@ -1,10 +1,11 @@
 //! Radiance within a tolerance: rules and streams are refined until results agree.
 
 use super::double::{POINTS, Pairing};
+use super::narrow::{MOMENTS, Narrow};
 use super::phase::Phase;
 use super::radiances::Radiances;
 use super::scaled::Scaled;
-use super::series::{Request, beyond_twice};
+use super::series::{NOTHING, Request, beyond_twice};
 use super::single::once;
 use super::view::{Geometry, RadianceOrder, View};
 use crate::TransportError;
@@ -19,7 +20,7 @@ const LADDER: [usize; 8] = [8, 16, 24, 32, 48, 64, 96, 128];
 /// Tolerances that can be met.
 const TOLERANCE: Range = Range { max_included: false, ..Range::closed(1e-8, 1.0) };
 
-/// Share of the tolerance left to the angular rule of order 2.
+/// Share of the tolerance that the angular rule of order 2 should take.
 const SHARE: f64 = 0.1;
 
 /// Rounding and limits (k = 0, μ = 0) relative to radiances of order one.
@@ -31,6 +32,7 @@ pub struct RadianceSolver {
     medium: SolveMedium,
     /// Moments enough for the last rung.
     chi: Vec<f64>,
+    narrow: Narrow,
     tolerance: f64,
 }
 
@@ -44,8 +46,9 @@ impl RadianceSolver {
     /// [`TransportError::Domain`] unless 1e-8 ≤ `tolerance` < 1.
     pub fn new(medium: SolveMedium, tolerance: f64) -> Result<Self, TransportError> {
         TOLERANCE.check("tolerance", tolerance)?;
-        let chi = medium.leading_moments(2 * LADDER[LADDER.len() - 1] + 1);
-        Ok(Self { medium, chi, tolerance })
+        let chi = medium.leading_moments(MOMENTS);
+        let narrow = Narrow::new(chi.clone(), &Phase::new(&medium));
+        Ok(Self { medium, chi, narrow, tolerance })
     }
 
     /// The medium.
@@ -106,23 +109,28 @@ impl RadianceSolver {
         Ok(rules.chunks(views).map(<[Rules]>::to_vec).collect())
     }
 
+    /// Two rules that agree to a share of the tolerance, or the finest two if they meet the tolerance itself.
     fn rule(&self, phase: &Phase, tau: &[f64], geometry: &Geometry) -> Result<Rules, TransportError> {
         let medium = Scaled::not(&self.medium);
-        let mut coarse = Pairing::new(phase, geometry, POINTS[0]);
-        let mut reached = f64::INFINITY;
-        for points in &POINTS[1..] {
-            let rules = [coarse, Pairing::new(phase, geometry, *points)];
-            let worst = tau.iter().fold(0.0_f64, |worst, tau| {
-                let estimate = by_rules(&rules, &medium, phase, *tau, geometry);
-                worst.max(excess(&estimate))
-            });
+        let disagreement = |rules: &Rules| {
+            tau.iter().fold(0.0_f64, |worst, tau| {
+                worst.max(excess(&by_rules(rules, &medium, phase, *tau, geometry)))
+            })
+        };
+        let mut rules = [POINTS[0], POINTS[1]].map(|points| Pairing::new(phase, geometry, points));
+        let mut worst = disagreement(&rules);
+        for points in &POINTS[2..] {
             if worst <= SHARE * self.tolerance {
-                return Ok(rules);
+                break;
             }
-            reached = reached.min(worst);
-            [_, coarse] = rules;
+            let [_, coarse] = rules;
+            rules = [coarse, Pairing::new(phase, geometry, *points)];
+            worst = disagreement(&rules);
         }
-        Err(TransportError::Rule { wanted: SHARE * self.tolerance, reached })
+        if worst > self.tolerance {
+            return Err(TransportError::Rule { wanted: self.tolerance, reached: worst });
+        }
+        Ok(rules)
     }
 
     /// Totals from the first rung that agrees with the one below.
@@ -138,7 +146,7 @@ impl RadianceSolver {
             rungs.push(self.rung(phase, request, rules, count));
             let [.., first, second, third] = rungs.as_slice() else { continue };
             let total: Vec<Estimate> =
-                (0..third.len()).map(|i| settled(first[i], second[i], third[i])).collect();
+                (0..third.len()).map(|i| self.settled(first[i], second[i], third[i])).collect();
             let worst = total.iter().fold(0.0_f64, |worst, estimate| worst.max(excess(estimate)));
             if worst <= self.tolerance {
                 return Ok((total, count));
@@ -152,16 +160,29 @@ impl RadianceSolver {
     /// Totals with `count` streams; errors are those of order 2.
     fn rung(&self, phase: &Phase, request: &Request, rules: &[Vec<Rules>], count: usize) -> Vec<Estimate> {
         let medium = Scaled::new(&self.medium, &self.chi, count);
-        let rest = beyond_twice(&medium, request, self.tolerance);
+        let rest = beyond_twice(&medium, count, request, self.tolerance);
         let second = twice(&medium, phase, request, rules);
         request
             .places()
             .zip(rest.iter().zip(&second))
             .map(|((tau, _, geometry), (rest, second))| Estimate {
-                value: once(&medium, phase, tau, geometry) + second.value + rest,
+                value: once(&medium, phase, tau, geometry)
+                    + second.value
+                    + rest
+                    + self.narrow.beyond_twice(&medium, tau, geometry),
                 std_error: second.std_error,
             })
             .collect()
+    }
+
+    /// The last of three rungs with its error: twice the last step (fine structure converges by a factor of two or so
+    /// per rung), or half of the one before lest two rungs agree by chance; the error of order 2; what the azimuth
+    /// series leaves out; rounding.
+    fn settled(&self, first: Estimate, second: Estimate, third: Estimate) -> Estimate {
+        let step = (third.value - second.value).abs().max(0.25 * (second.value - first.value).abs());
+        let rest = 2.0 * NOTHING * self.tolerance + ROUNDING * third.value.abs().max(1.0);
+        let error = 2.0 * step + third.std_error + rest;
+        Estimate { value: third.value, std_error: if error.is_finite() { error } else { f64::INFINITY } }
     }
 }
 
@@ -178,14 +199,6 @@ fn twice(medium: &Scaled, phase: &Phase, request: &Request, rules: &[Vec<Rules>]
 fn by_rules(rules: &Rules, medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> Estimate {
     let [coarse, fine] = [0, 1].map(|i| rules[i].twice(medium, phase, tau, geometry));
     Estimate { value: fine, std_error: (fine - coarse).abs() + f64::EPSILON * fine.abs() }
-}
-
-/// The last of three rungs with its error: the last step, or a quarter of the one before lest two rungs agree by
-/// chance, and the error of order 2.
-fn settled(first: Estimate, second: Estimate, third: Estimate) -> Estimate {
-    let step = (third.value - second.value).abs().max(0.25 * (second.value - first.value).abs());
-    let error = step + third.std_error + ROUNDING * third.value.abs().max(1.0);
-    Estimate { value: third.value, std_error: if error.is_finite() { error } else { f64::INFINITY } }
 }
 
 /// Error in units of the tolerance's scale.

@@ -75,9 +75,11 @@ impl Geometry {
         Ok(Self { mu0: mu0.max(GRAZING), side: view.side, mu: view.mu.max(GRAZING), phi })
     }
 
-    /// 1 - cosΘ between sun and view, without cancellation: angles to the downward normal.
+    /// 1 - cosΘ between sun and view, 2 sin²((θ-θ')/2) + 2 sinθ sinθ' sin²(φ/2), without cancellation.
     pub(super) fn deflection(&self) -> f64 {
-        deflection(libm::acos(self.mu0), self.travel(), self.phi)
+        let (sun, view) = (libm::acos(self.mu0), self.travel());
+        let (across, around) = (libm::sin(0.5 * (sun - view)), libm::sin(0.5 * self.phi));
+        2.0 * (across * across + libm::sin(sun) * libm::sin(view) * around * around).min(1.0)
     }
 
     /// Angle of the leaving light to the downward normal.
@@ -85,10 +87,4 @@ impl Geometry {
         let theta = libm::acos(self.mu);
         if self.side == Side::Top { std::f64::consts::PI - theta } else { theta }
     }
-}
-
-/// 1 - cosΘ = 2 sin²((θ-θ')/2) + 2 sinθ sinθ' sin²(Δφ/2).
-pub(super) fn deflection(theta: f64, other: f64, azimuth: f64) -> f64 {
-    let (across, around) = (libm::sin(0.5 * (theta - other)), libm::sin(0.5 * azimuth));
-    2.0 * (across * across + libm::sin(theta) * libm::sin(other) * around * around).min(1.0)
 }
