@@ -57,7 +57,7 @@ impl std::fmt::Display for Place {
             |name: &str, value: Option<String>| value.map_or(Ok(()), |value| write!(f, ", {name} {value}"));
         part("theta_v", self.theta_v_deg.map(|theta| theta.to_string()))?;
         part("phi", self.phi_deg.map(|phi| phi.to_string()))?;
-        part("tau", self.tau.map(|tau| super::report::short(tau)))?;
+        part("tau", self.tau.map(super::report::short))?;
         part("medium", self.medium.map(|medium| medium.to_string()))
     }
 }

@@ -19,11 +19,11 @@ const METHOD: &str = "truth by discrete ordinates; photons by half-space Monte C
 /// [`CliError::Unmet`], with the result, if something is out of bounds; [`CliError`] of bad input.
 pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
     let mut config = Config::load(&args.config)?;
+    can_be_written(args)?;
     if let Some(file) = &args.store_counts {
         return store_counts(&mut config, args, file, talk);
     }
     override_tracer(&mut config, args)?;
-    can_be_written(args)?;
     let cloud = cloud(&config)?;
     if let Some(file) = &args.points {
         write_csv(file, &values::points(&config, &cloud.tau(&config)))?;
@@ -41,11 +41,11 @@ pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
 
 /// Looks for the folders of what is to be written before any work is done.
 fn can_be_written(args: &CheckArgs) -> Result<(), CliError> {
-    let files = [&args.junit, &args.markdown, &args.points].into_iter().flatten();
-    let folder = |file: &Path| file.parent().filter(|p| *p != Path::new("")).map(Path::to_owned);
-    match files.filter_map(|file| folder(file)).find(|folder| !folder.is_dir()) {
-        Some(folder) => {
-            Err(CliError::Input(format!("cannot write to {}: it is no folder", folder.display())))
+    let mut files = [&args.junit, &args.markdown, &args.points, &args.store_counts].into_iter().flatten();
+    let lost = |file: &&PathBuf| file.parent().is_some_and(|p| *p != *"" && !p.is_dir());
+    match files.find(lost) {
+        Some(file) => {
+            Err(CliError::Input(format!("cannot write {}: its folder does not exist", file.display())))
         }
         None => Ok(()),
     }

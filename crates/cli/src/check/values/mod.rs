@@ -86,8 +86,8 @@ fn truths(config: &Config, media: &Media, rows: &[ValueRow]) -> Result<Vec<Estim
             });
         }
     }
-    // Every row has its truth.
-    Ok(truths.into_iter().flatten().collect())
+    let all: Option<Vec<_>> = truths.into_iter().collect();
+    all.ok_or_else(|| CliError::Failed("a row of the values has no truth: a defect of the check".to_owned()))
 }
 
 /// Rows that one call of the solver serves: every incidence at every thickness.

@@ -3,6 +3,7 @@
 
 use crate::check::config::{Quantity, bound};
 use crate::check::model::held_rows;
+use crate::check::truth::LISTED;
 use crate::config::Config;
 use serde::Serialize;
 use stratiform_quantities::Order;
@@ -24,7 +25,7 @@ pub fn points(config: &Config, tau: &[f64]) -> Vec<Point> {
     let mut points = Vec::new();
     for (quantity, bounds) in config.check.values.iter().filter(|(quantity, _)| !quantity.is_radiance()) {
         // Nothing is reflected without a scattering.
-        let orders = Order::rows(super::super::truth::LISTED)
+        let orders = Order::rows(LISTED)
             .filter(|order| (*quantity, *order) != (Quantity::Reflectance, Order::Exactly(0)))
             .filter(|order| bound(bounds, *order).is_some());
         let orders: Vec<_> = orders.collect();
