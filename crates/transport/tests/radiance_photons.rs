@@ -48,7 +48,8 @@ impl Scene<'_> {
                 return;
             }
             for (view, score) in self.views.iter().zip(&mut *scores) {
-                let (sign, way) = if view.side == Side::Top { (-1.0, depth) } else { (1.0, self.tau - depth) };
+                let (sign, way) =
+                    if view.side == Side::Top { (-1.0, depth) } else { (1.0, self.tau - depth) };
                 let cosine = along.dot(direction(sign * view.mu, view.phi_deg));
                 let value = 0.25 * phase.value(1.0 - cosine) * libm::exp(-way / view.mu) / view.mu;
                 score[2] += value;
@@ -108,7 +109,9 @@ fn photons_agree() {
     let mut family = Family::default();
     let (bright, dark) = (full(hg(0.75), 1.0), full(hg(0.5), 0.9));
     let cloud = modified_cloud();
-    for (name, medium, tau) in [("hg 0.75", &bright, 2.0), ("hg 0.5", &dark, 1.0), ("modified cloud", &cloud, 1.5)] {
+    for (name, medium, tau) in
+        [("hg 0.75", &bright, 2.0), ("hg 0.5", &dark, 1.0), ("modified cloud", &cloud, 1.5)]
+    {
         compare(&mut family, name, &Scene { medium, tau, mu0: 0.6, views: &VIEWS }, medium, 60_000);
     }
     family.assert(1e-3);
