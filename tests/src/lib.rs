@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use stratiform_artifact::{ParametersDocument, RowIncidence};
+use stratiform_artifact::ParametersDocument;
 use stratiform_cli::config::Config;
 use stratiform_cli::pipeline::accepted;
 use stratiform_cli::pipeline::optics::Cloud;
@@ -73,8 +73,7 @@ pub fn accepted_cloud(config: &Config) -> (ParametersDocument, Cloud) {
 /// If a trace fails: a test then fails.
 #[expect(clippy::expect_used, reason = "for tests only")]
 pub fn fresh_reference(config: &Config, cloud: &Cloud, photons: u64, seed: u64) -> Vec<Reference> {
-    let rows: Vec<RowIncidence> = Plan::nodes(config, cloud).rows;
-    let plan = Plan { rows, tau: cloud.tau(config), photons, seed };
+    let plan = Plan::nodes(config, cloud, photons, seed);
     let media = Media::new(config, cloud).expect("the media");
     let traced = plan.trace(&media, &|_| ()).expect("the trace");
     traced.iter().map(|traced| fit_reference(config, traced)).collect()

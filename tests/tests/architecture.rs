@@ -24,6 +24,8 @@ const ALLOWED: &[(&str, &[&str])] = &[
         "cli",
         &[
             "quantities",
+            "gpu",
+            "stats",
             "reference-data",
             "artifact",
             "optics",

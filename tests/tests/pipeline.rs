@@ -1,23 +1,28 @@
-//! The chain on a small run: every file is there, nothing runs twice, and the bytes depend on the seed alone.
+//! The chain on a small run, from either source: every file is there, nothing runs twice, and the bytes depend on the seed
+//! alone.
 
 #![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use stratiform_cli::config::Config;
+use stratiform_cli::config::{Config, Source};
 use stratiform_cli::output::Talk;
 use stratiform_cli::pipeline::{Target, run};
 use stratiform_optics::droplets::DropletDistribution;
 use stratiform_tests::paper_config;
 
 /// The paper's cloud with few photons and a coarse quadrature.
-fn small() -> Config {
+fn small(source: Source) -> Config {
     let mut config = paper_config();
-    config.transport.photons = 2_000;
-    config.transport.photons_between = 500;
-    config.convergence.plain_photons = vec![100, 300];
-    config.convergence.half_space_photons = vec![100, 300];
+    config.transport.source = source;
+    config.transport.photons = Some(2_000);
+    config.transport.photons_between = Some(500);
+    let convergence = config.convergence.as_mut().unwrap();
+    convergence.plain_photons = vec![100, 300];
+    convergence.half_space_photons = vec![100, 300];
+    convergence.most_radii = 256;
+    config.transport.tolerance = 1e-4;
     config.optics.wavelengths_um = vec![0.55];
     config.optics.tolerance.asymmetry = 2e-3;
     config.optics.tolerance.forward_fraction = 2e-3;
@@ -49,17 +54,61 @@ fn is_timed(name: &str) -> bool {
     name == "manifest.json"
         || name.contains("convergence")
         || name.contains("quadrature")
+        || name.contains("solver")
         || name == "report.html"
 }
 
 #[test]
-fn reproduce_leaves_every_file_once_and_the_same_bytes_twice() {
+fn tracing_leaves_every_file_once_and_the_same_bytes_twice() {
+    let (config, first, once) = leaves_every_file_once_and_the_same_bytes_twice(Source::Trace);
+    let mut changed = config.clone();
+    changed.transport.seed = Some(1);
+    run(&changed, first.path(), Target::Fit, Talk { quiet: true }).unwrap();
+    let now = all(first.path());
+    assert!(
+        now["orders.csv"] != once["orders.csv"] && now["optics/optics.json"] == once["optics/optics.json"]
+    );
+}
+
+/// The seed moves the witness only, and without photons and convergence nothing of theirs is left.
+#[test]
+fn solving_leaves_every_file_once_and_the_same_bytes_twice() {
+    let (mut config, dir, once) = leaves_every_file_once_and_the_same_bytes_twice(Source::Solve);
+    let talk = Talk { quiet: true };
+    config.transport.seed = Some(1);
+    run(&config, dir.path(), Target::Report, talk).unwrap();
+    let now = all(dir.path());
+    assert!(
+        now["parameters.json"] == once["parameters.json"] && now["agreement.csv"] != once["agreement.csv"]
+    );
+
+    config.transport.photons = None;
+    config.transport.seed = None;
+    config.convergence = None;
+    run(&config, dir.path(), Target::Report, talk).unwrap();
+    let now = all(dir.path());
+    for name in ["parameters.json", "orders.csv", "generated/stratiform.wgsl"] {
+        assert!(now[name] == once[name], "{name} depends on photons");
+    }
+    for name in now.keys() {
+        let of_photons = ["agreement", "witness", "convergence", "quadrature"];
+        assert!(of_photons.iter().all(|word| !name.contains(word)), "{name} is left over");
+    }
+    let page = String::from_utf8_lossy(&now["report.html"]);
+    assert!(page.contains("no file <code>convergence.csv</code>"));
+}
+
+type Files = BTreeMap<String, Vec<u8>>;
+
+fn leaves_every_file_once_and_the_same_bytes_twice(source: Source) -> (Config, tempfile::TempDir, Files) {
     let (first, second) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-    let (config, talk) = (small(), Talk { quiet: true });
+    let (config, talk) = (small(source), Talk { quiet: true });
     run(&config, first.path(), Target::Report, talk).unwrap();
     let once = all(first.path());
     for name in [
         "accepted/reference.csv",
+        "agreement.csv",
+        "agreement.json",
         "convergence.csv",
         "generated/stratiform.wgsl",
         "manifest.json",
@@ -82,14 +131,7 @@ fn reproduce_leaves_every_file_once_and_the_same_bytes_twice() {
     for (name, bytes) in all(second.path()).iter().filter(|(name, _)| !is_timed(name)) {
         assert!(*bytes == once[name], "{name} differs between two runs");
     }
-
-    let mut changed = config.clone();
-    changed.transport.seed += 1;
-    run(&changed, first.path(), Target::Fit, talk).unwrap();
-    let now = all(first.path());
-    assert!(
-        now["orders.csv"] != once["orders.csv"] && now["optics/optics.json"] == once["optics/optics.json"]
-    );
+    (config, first, once)
 }
 
 /// A cloud that nobody published a table for, of droplets of one size: nothing is compared, and the report is made.
@@ -97,9 +139,9 @@ fn reproduce_leaves_every_file_once_and_the_same_bytes_twice() {
 fn another_cloud_is_compared_with_nothing() {
     let dir = tempfile::tempdir().unwrap();
     let talk = Talk { quiet: true };
-    let mut config = small();
-    config.transport.photons = 500;
-    config.transport.photons_between = 100;
+    let mut config = small(Source::Trace);
+    config.transport.photons = Some(500);
+    config.transport.photons_between = Some(100);
     config.fit.thickness_m.max = 50.0;
     config.published_table = None;
     config.optics.droplets = DropletDistribution::SingleSize { radius_um: 2.0 };

@@ -1,4 +1,4 @@
-//! `convergence.csv`: error against photons and against seconds.
+//! `convergence.csv`: error against photons or streams and against seconds.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ConvergenceRow {
-    /// `plain` or `half-space`.
+    /// `plain` or `half-space`, the tracers, or `solver`.
     pub estimator: String,
     /// Incidence angle in degrees.
     pub theta_l_deg: f64,
@@ -14,12 +14,12 @@ pub struct ConvergenceRow {
     pub tau: f64,
     /// 0…N, `tail` or `total`.
     pub order: String,
-    /// Histories traced.
+    /// Histories traced; of the solver, streams per hemisphere.
     pub photons: u64,
     /// Wall time in seconds.
     pub seconds: f64,
-    /// |reflectance - reference|, the reference being a run of many more photons.
+    /// |reflectance - truth|, the truth being the solver's with 128 streams per hemisphere.
     pub error: f64,
-    /// Standard error claimed by the run itself.
+    /// Standard error claimed by the run itself; of the solver, the change from the row before.
     pub std_error: f64,
 }

@@ -3,12 +3,14 @@
 //! A stage reads and writes these types and knows no other stage's code. Documents are JSON, tables CSV;
 //! both keep every bit of an `f64`. Field names carry units. A file appears whole or not at all.
 
+mod agreement;
 mod atomic;
 mod convergence;
 mod curves;
 mod error;
 mod hash;
 mod json;
+mod ladder;
 mod notes;
 mod optics;
 mod orders;
@@ -16,14 +18,17 @@ mod parameters;
 mod provenance;
 mod quadrature;
 mod radiance;
+mod solver_cost;
 mod table;
 
+pub use agreement::{AgreementDocument, AgreementRow};
 pub use atomic::{create_folder, read_text, write_atomic};
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
 pub use hash::{hash_bytes, hash_of};
 pub use json::{read_json, to_json, write_json};
+pub use ladder::LadderRow;
 pub use notes::{
     AngularShares, CoarseTabulation, ModifiedBias, NotesDocument, PublishedMisfit, WavelengthShares,
 };
@@ -36,4 +41,5 @@ pub use parameters::{
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
 pub use radiance::{Face, RadianceDocument, RadianceResult};
+pub use solver_cost::SolverCostRow;
 pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};

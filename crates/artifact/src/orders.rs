@@ -72,7 +72,7 @@ impl OrdersDocument {
     pub const SCHEMA: &'static str = "stratiform/orders/1";
 }
 
-/// A row of `orders.csv` as `reproduce` writes it.
+/// A row of `orders.csv` as `reproduce` writes it. Standard errors are estimated errors where nothing was random.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OrdersRow {

@@ -65,7 +65,8 @@ impl std::fmt::Display for RowIncidence {
 pub struct FittedParameter {
     /// The fitted value; `null` where the data do not determine it.
     pub value: Option<f64>,
-    /// Its standard error from the reference's covariance (sandwich); `null` where fixed, on a bound or undetermined.
+    /// Its standard error, or estimated error, from the reference's covariance (sandwich); `null` where fixed, on a bound or
+    /// undetermined.
     pub std_error: Option<f64>,
     /// What emitted code uses: the fitted value, or where there is none one continuous in θ_l.
     pub emitted: f64,

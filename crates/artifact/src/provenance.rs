@@ -30,4 +30,15 @@ impl Provenance {
             method: method.to_owned(),
         }
     }
+
+    /// What the numbers' `std_error` is: one standard deviation where something is random, otherwise an estimate of the
+    /// largest error.
+    pub fn error_name(&self) -> &'static str {
+        if self.is_random() { "standard error" } else { "estimated error" }
+    }
+
+    /// Whether random numbers were used.
+    pub fn is_random(&self) -> bool {
+        self.seed.is_some()
+    }
 }

@@ -1,10 +1,13 @@
 //! The command line exactly as typed. Turning it into checked objects is the commands' work.
 
+mod check;
+
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 pub use crate::solve_args::SolveArgs;
+pub use check::CheckArgs;
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -46,6 +49,8 @@ pub enum Command {
     Fit(StageArgs),
     /// Emit WGSL, JSON and CSV from the accepted parameters; `--check` proves the emitted text fresh.
     Codegen(CodegenArgs),
+    /// Hold the accepted table, the tracer, or another implementation's values against the truth; for CI.
+    Check(CheckArgs),
     /// Every stage, then the report: from droplets to shader tables.
     Reproduce(StageArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.

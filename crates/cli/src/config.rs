@@ -2,13 +2,21 @@
 //!
 //! Every section belongs to the crate that uses it. Unknown keys are refused. A number outside its domain is
 //! reported with the line on which its key stands.
+//!
+//! **Source.** `transport.source` says what the model is fitted to: `solve`, the deterministic solver, or `trace`,
+//! photons. The objective is the same. `solve` is the default: its fluxes have no noise, their error is estimated and a
+//! hundred times below what photons reach in the same seconds, so that the table does not depend on a seed and a
+//! difference between two tables is a difference of media. What it gives up is independence (solver and model share no
+//! code, but a fault of the solver would pass into the table); hence with `photons` given the table's incidences are also
+//! traced, and both tables must agree.
 
 use crate::CliError;
+use crate::check::config::{CheckConfig, Refused};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use std::path::Path;
 use stratiform_artifact::read_text;
-use stratiform_fit::{FitConfig, FitError, RegressionBounds};
+use stratiform_fit::{FitConfig, FitError};
 use stratiform_optics::{OpticsConfig, OpticsError};
 use stratiform_quantities::{
     DomainError, ExtinctionConvention, Medium, OpticalThickness, Range, SingleScatteringAlbedo,
@@ -33,10 +41,11 @@ pub struct Config {
     pub fit: FitConfig,
     /// Accepted artifacts and emitted text.
     pub codegen: CodegenConfig,
-    /// How the convergence figure is made.
-    pub convergence: ConvergenceConfig,
-    /// Bounds of the regression test.
-    pub regression: RegressionConfig,
+    /// How the convergence figures are made; absent: they are not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub convergence: Option<ConvergenceConfig>,
+    /// What `check` accepts.
+    pub check: CheckConfig,
 }
 
 /// Tables that others published.
@@ -45,6 +54,24 @@ pub enum PublishedTable {
     /// Appendix B of Bouthors, Neyret & Lefebvre 2006.
     #[serde(rename = "bouthors-2006")]
     Bouthors2006,
+}
+
+/// What computes the fluxes that the model is fitted to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Source {
+    /// Half-space photon tracer.
+    Trace,
+    /// Discrete ordinates.
+    #[default]
+    Solve,
+}
+
+/// Estimated error of solved fluxes where the config does not say.
+const TOLERANCE: f64 = 1e-6;
+
+fn default_tolerance() -> f64 {
+    TOLERANCE
 }
 
 /// `[transport]`.
@@ -62,12 +89,22 @@ pub struct TransportConfig {
     pub totals_medium: Medium,
     /// Medium of the orders that κ_c, t and r are fitted to.
     pub orders_medium: Medium,
-    /// Photons per incidence and medium.
-    pub photons: u64,
-    /// The same at the angles half-way between those of the fit, which tell the table's interpolation error.
-    pub photons_between: u64,
-    /// Seed of the random streams.
-    pub seed: u64,
+    /// What the model is fitted to.
+    #[serde(default)]
+    pub source: Source,
+    /// Largest estimated error of a solved flux, absolute.
+    #[serde(default = "default_tolerance")]
+    pub tolerance: f64,
+    /// Photons per incidence of the table and medium. Needed by `trace`; with `solve` they are the witness.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub photons: Option<u64>,
+    /// The same at the angles half-way between those of the fit, which tell the table's interpolation error. Needed by
+    /// `trace`; `solve` traces nothing there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub photons_between: Option<u64>,
+    /// Seed of the random streams; needed where there are photons.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seed: Option<u64>,
 }
 
 /// `[codegen]`: paths are relative to the config file.
@@ -94,20 +131,6 @@ pub struct ConvergenceConfig {
     pub plain_photons: Vec<u64>,
     /// Photons of each point, half-space tracer.
     pub half_space_photons: Vec<u64>,
-}
-
-/// `[regression]`: a fresh run that the accepted table is held against.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RegressionConfig {
-    /// Photons per incidence and medium of the fresh run.
-    pub photons: u64,
-    /// Seed of the fresh run; another than the transport's.
-    pub seed: u64,
-    /// Probability that a correct table fails.
-    pub false_alarm_rate: f64,
-    /// What is accepted.
-    pub bounds: RegressionBounds,
 }
 
 impl Config {
@@ -145,7 +168,7 @@ impl Config {
     ///
     /// # Errors
     /// [`CliError::Input`] naming value and range.
-    pub fn check(&self) -> Result<(), CliError> {
+    pub fn check_again(&self) -> Result<(), CliError> {
         self.validate().map_err(|fault| CliError::Input(fault.message))
     }
 
@@ -153,8 +176,8 @@ impl Config {
         self.optics.resolve()?;
         self.fit.check()?;
         self.transport.validate(&self.optics)?;
-        self.convergence.validate(&self.fit)?;
-        self.regression.validate(&self.transport)?;
+        self.convergence.iter().try_for_each(|convergence| convergence.validate(&self.fit))?;
+        self.check.validate()?;
         let kappa = 1e6
             * self.optics.number_density_per_cm3
             * PI
@@ -190,8 +213,12 @@ fn photons(key: &str, count: u64) -> Result<(), DomainError> {
 
 impl TransportConfig {
     fn validate(&self, optics: &OpticsConfig) -> Result<(), Fault> {
-        photons("transport.photons", self.photons)?;
-        photons("transport.photons_between", self.photons_between)?;
+        self.photons.iter().try_for_each(|n| photons("transport.photons", *n))?;
+        self.photons_between.iter().try_for_each(|n| photons("transport.photons_between", *n))?;
+        // As the solver allows, said with the key's line.
+        let tolerances = Range { max_included: false, ..Range::closed(1e-12, 1.0) };
+        tolerances.check("transport.tolerance", self.tolerance)?;
+        self.validate_presence()?;
         if optics.wavelengths_um.contains(&self.wavelength_um) {
             return Ok(());
         }
@@ -201,6 +228,47 @@ impl TransportConfig {
         );
         Err(Fault { key: Some("transport.wavelength_um".to_owned()), message })
     }
+
+    /// Keys that others need: `trace` all that photons need, photons a seed.
+    fn validate_presence(&self) -> Result<(), Fault> {
+        match (self.source, self.photons, self.seed) {
+            (Source::Trace, _, _) => self.tracing().map(|_| ()),
+            (Source::Solve, Some(_), None) => Err(missing("seed", "photons", "photons")),
+            (Source::Solve, _, _) => Ok(()),
+        }
+    }
+
+    /// Photons at the table's incidences and half-way, and the seed.
+    fn tracing(&self) -> Result<[u64; 3], Fault> {
+        let key =
+            |name, value: Option<u64>| value.ok_or_else(|| missing(name, "source = \"trace\"", "source"));
+        let photons = key("photons", self.photons)?;
+        Ok([photons, key("photons_between", self.photons_between)?, key("seed", self.seed)?])
+    }
+
+    /// What `source = "trace"` needs: photons at the table's incidences and half-way, and the seed.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] naming the key that is missing.
+    pub fn photons_and_seed_of_trace(&self) -> Result<[u64; 3], CliError> {
+        self.tracing().map_err(|fault| CliError::Input(fault.message))
+    }
+
+    /// The section without what the fluxes of `source` do not depend on.
+    #[must_use]
+    pub fn that_counts(&self, source: Source) -> Self {
+        match source {
+            Source::Trace => Self { source, tolerance: TOLERANCE, ..self.clone() },
+            Source::Solve => {
+                Self { source, photons: None, photons_between: None, seed: None, ..self.clone() }
+            }
+        }
+    }
+}
+
+fn missing(key: &str, needed_by: &str, place: &str) -> Fault {
+    let message = format!("transport.{key} is missing: {needed_by} needs it");
+    Fault { key: Some(format!("transport.{place}")), message }
 }
 
 impl ConvergenceConfig {
@@ -221,22 +289,6 @@ impl ConvergenceConfig {
     }
 }
 
-impl RegressionConfig {
-    fn validate(&self, transport: &TransportConfig) -> Result<(), Fault> {
-        photons("regression.photons", self.photons)?;
-        Range::open(0.0, 1.0).check("regression.false_alarm_rate", self.false_alarm_rate)?;
-        self.bounds.check()?;
-        if self.seed != transport.seed {
-            return Ok(());
-        }
-        let message = format!(
-            "regression.seed = {} is also the transport's: its photons would not be fresh",
-            self.seed
-        );
-        Err(Fault { key: Some("regression.seed".to_owned()), message })
-    }
-}
-
 /// What is wrong with a value, and under which key it stands, where that is known.
 struct Fault {
     key: Option<String>,
@@ -246,6 +298,12 @@ struct Fault {
 impl From<DomainError> for Fault {
     fn from(error: DomainError) -> Self {
         Self { message: error.to_string(), key: Some(error.quantity) }
+    }
+}
+
+impl From<Refused> for Fault {
+    fn from(refused: Refused) -> Self {
+        Self { key: Some(refused.key), message: refused.message }
     }
 }
 

@@ -43,8 +43,11 @@ fn whole(out: &Path) {
 #[test]
 fn a_run_that_is_interrupted_or_killed_leaves_whole_files() {
     let dir = tempfile::tempdir().unwrap();
-    let long =
-        config(&[("photons = 1_000_000", "photons = 1_000_000_000"), ("[0.65, 0.55, 0.45]", "[0.55]")]);
+    let long = config(&[
+        ("source = \"solve\"", "source = \"trace\""),
+        ("photons = 250_000", "photons = 1_000_000_000\nphotons_between = 1_000"),
+        ("[0.65, 0.55, 0.45]", "[0.55]"),
+    ]);
     fs::write(dir.path().join("long.toml"), long).unwrap();
     let out = dir.path().join("out");
     for name in ["-INT", "-TERM", "-KILL"] {

@@ -20,7 +20,7 @@ pub struct ErrorCard {
     pub percentile_95: f64,
     /// Largest.
     pub worst: f64,
-    /// Largest standard error of the reference values: errors of this size say nothing about the table.
+    /// Largest error that the reference values claim: errors of this size say nothing about the table.
     pub reference_error: f64,
 }
 

@@ -40,7 +40,7 @@ pub struct ReferencePoint {
     pub quantity: String,
     /// The flux.
     pub value: f64,
-    /// Its standard error.
+    /// Its standard error, or estimated error: see [`Provenance::error_name`](stratiform_artifact::Provenance::error_name).
     pub std_error: f64,
 }
 

@@ -44,14 +44,16 @@ fn header(inputs: &Inputs) -> Result<String, CodegenError> {
         format!("beyond {STEEP_DEG} deg, where the model's form fails"),
         "in diffuse light".to_owned(),
     ];
+    let claimed = inputs.parameters.provenance.error_name();
     for (title, cards) in titles.iter().zip(error_card(inputs)?) {
-        push_card(&mut text, &format!("Error against the reference {title}"), &cards);
+        push_card(&mut text, &format!("Error against the reference {title}"), &cards, claimed);
     }
     let inner = leave_one_out(&inputs.parameters.optical)?;
     push_card(
         &mut text,
         "Interpolation error with every other gap doubled (a row left out at a time)",
         &inner,
+        claimed,
     );
     push_flags(&mut text, inputs);
     push_examples(&mut text, inputs)?;
@@ -67,14 +69,14 @@ fn brief(value: f64) -> String {
     }
 }
 
-fn push_card(text: &mut String, title: &str, cards: &[ErrorCard]) {
+fn push_card(text: &mut String, title: &str, cards: &[ErrorCard], claimed: &str) {
     if cards.is_empty() {
         let _ = writeln!(text, "//\n// {title}: no reference values were given.");
         return;
     }
     let _ = writeln!(
         text,
-        "//\n// {title}, absolute; sigma is the reference's own largest standard error:\n//   quantity    values     median        95 %       worst       sigma"
+        "//\n// {title}, absolute; sigma is the reference's own largest {claimed}:\n//   quantity    values     median        95 %       worst       sigma"
     );
     for card in cards {
         let ErrorCard { quantity, count, median, percentile_95, worst, reference_error } = card;

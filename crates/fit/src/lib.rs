@@ -31,4 +31,4 @@ pub use document::{ALBEDO, fit};
 pub use error::FitError;
 pub use matrix::Matrix;
 pub use reference::{ORDERS, Reference};
-pub use regression::{Held, Regression, RegressionBounds, regression};
+pub use regression::{HeldParameter, ModelBounds, held_parameters};

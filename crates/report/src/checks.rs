@@ -4,8 +4,8 @@
 use crate::{ReportError, input::PhaseRow};
 use std::path::Path;
 use stratiform_artifact::{
-    ArtifactError, ConvergenceRow, CurvesRow, OpticsDocument, OrdersRow, ParametersDocument, PublishedRow,
-    QuadratureRow, read_json,
+    AgreementRow, ArtifactError, ConvergenceRow, CurvesRow, LadderRow, OpticsDocument, OrdersRow,
+    ParametersDocument, PublishedRow, QuadratureRow, SolverCostRow, read_json,
 };
 use stratiform_quantities::{Order, Range};
 
@@ -132,6 +132,58 @@ pub fn convergence(path: &Path, rows: &[ConvergenceRow]) -> Result<(), ReportErr
                 ("seconds", row.seconds, NOT_NEGATIVE),
                 ("error", row.error, NOT_NEGATIVE),
                 ("std_error", row.std_error, NOT_NEGATIVE),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
+pub fn solver_cost(path: &Path, rows: &[SolverCostRow]) -> Result<(), ReportError> {
+    for (i, row) in rows.iter().enumerate() {
+        columns(
+            path,
+            Some(i),
+            &[
+                ("streams", row.streams as f64, POSITIVE),
+                ("tau", row.tau, NOT_NEGATIVE),
+                ("thicknesses", row.thicknesses as f64, POSITIVE),
+                ("seconds", row.seconds, NOT_NEGATIVE),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
+pub fn agreement(path: &Path, rows: &[AgreementRow]) -> Result<(), ReportError> {
+    for (i, row) in rows.iter().enumerate() {
+        let errors = [row.solved_error, row.traced_std_error].map(Option::unwrap_or_default);
+        columns(
+            path,
+            Some(i),
+            &[
+                ("solved", row.solved, FINITE),
+                ("solved_error", errors[0], NOT_NEGATIVE),
+                ("traced", row.traced, FINITE),
+                ("traced_std_error", errors[1], NOT_NEGATIVE),
+                ("z", row.z.unwrap_or_default(), FINITE),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
+pub fn ladder(path: &Path, rows: &[LadderRow]) -> Result<(), ReportError> {
+    for (i, row) in rows.iter().enumerate() {
+        let [rms, worst, tau, expected] =
+            [row.rms, row.worst, row.worst_tau, row.expected_rms].map(Option::unwrap_or_default);
+        columns(
+            path,
+            Some(i),
+            &[
+                ("rms", rms, NOT_NEGATIVE),
+                ("worst", worst, NOT_NEGATIVE),
+                ("worst_tau", tau, NOT_NEGATIVE),
+                ("expected_rms", expected, NOT_NEGATIVE),
             ],
         )?;
     }

@@ -8,8 +8,9 @@ use crate::{LeftOut, ReportError, checks};
 use serde::de::DeserializeOwned;
 use std::path::{Component, Path, PathBuf};
 use stratiform_artifact::{
-    ArtifactError, ConvergenceRow, CurvesRow, NotesDocument, OpticsDocument, OrdersRow, ParametersDocument,
-    PublishedRow, QuadratureRow, read_csv, read_json,
+    AgreementDocument, AgreementRow, ArtifactError, ConvergenceRow, CurvesRow, LadderRow, NotesDocument,
+    OpticsDocument, OrdersRow, ParametersDocument, PublishedRow, QuadratureRow, SolverCostRow, read_csv,
+    read_json,
 };
 
 /// One row of a phase table.
@@ -30,7 +31,10 @@ pub struct Inputs {
     pub orders: Vec<OrdersRow>,
     pub parameters: ParametersDocument,
     pub sphere: Option<Vec<PhaseRow>>,
+    pub agreement: Option<(AgreementDocument, Vec<AgreementRow>)>,
+    pub ladder: Option<Vec<LadderRow>>,
     pub convergence: Option<Vec<ConvergenceRow>>,
+    pub solver_cost: Option<Vec<SolverCostRow>>,
     pub quadrature: Option<Vec<QuadratureRow>>,
     pub published: Option<Vec<PublishedRow>>,
     pub curves: Option<Vec<CurvesRow>>,
@@ -40,7 +44,10 @@ pub struct Inputs {
 /// Names of the optional files, relative to the folder.
 pub mod optional {
     pub const SPHERE: &str = "optics/sphere.csv";
+    pub const AGREEMENT: &str = "agreement.json";
+    pub const LADDER: &str = "ladder.csv";
     pub const CONVERGENCE: &str = "convergence.csv";
+    pub const SOLVER_COST: &str = "solver_cost.csv";
     pub const QUADRATURE: &str = "optics/quadrature.csv";
     pub const PUBLISHED: &str = "published.csv";
     pub const CURVES: &str = "curves.csv";
@@ -65,8 +72,11 @@ impl Inputs {
             phases: phases(&dir.join("optics"), &optics)?,
             orders: table(&dir.join("orders.csv"), checks::orders)
                 .map_err(missing("fluxes per scattering order"))?,
+            agreement: agreement(dir)?,
+            ladder: optional_table(&dir.join(optional::LADDER), checks::ladder)?,
             sphere: optional_table(&dir.join(optional::SPHERE), checks::phase)?,
             convergence: optional_table(&dir.join(optional::CONVERGENCE), checks::convergence)?,
+            solver_cost: optional_table(&dir.join(optional::SOLVER_COST), checks::solver_cost)?,
             quadrature: optional_table(&dir.join(optional::QUADRATURE), checks::quadrature)?,
             published: optional_table(&dir.join(optional::PUBLISHED), checks::published)?,
             curves: optional_table(&dir.join(optional::CURVES), checks::curves)?,
@@ -75,6 +85,17 @@ impl Inputs {
             notes,
         })
     }
+}
+
+/// The verdict and the table it was reached on.
+fn agreement(dir: &Path) -> Result<Option<(AgreementDocument, Vec<AgreementRow>)>, ReportError> {
+    let verdict = optional_document(&dir.join(optional::AGREEMENT), AgreementDocument::SCHEMA)?;
+    let rows = |verdict| {
+        let rows = table(&dir.join("agreement.csv"), checks::agreement)
+            .map_err(missing("the agreement of both sources"))?;
+        Ok((verdict, rows))
+    };
+    verdict.map(rows).transpose()
 }
 
 fn phases(folder: &Path, optics: &OpticsDocument) -> Result<Vec<Vec<PhaseRow>>, ReportError> {
@@ -148,14 +169,13 @@ impl Inputs {
         let lacking = |absent: bool, what, file| absent.then_some(LeftOut { what, file });
         [
             lacking(self.sphere.is_none(), "the single droplet in the phase functions", optional::SPHERE),
-            lacking(
-                self.curves.is_none(),
-                "the model curves beside the Monte Carlo points",
-                optional::CURVES,
-            ),
+            lacking(self.curves.is_none(), "the model curves beside the reference points", optional::CURVES),
             lacking(self.published.is_none(), "the published parameters", optional::PUBLISHED),
             lacking(self.notes.is_none(), "the reasons why the published table differs", optional::NOTES),
+            lacking(self.agreement.is_none(), "the comparison of solver and photons", optional::AGREEMENT),
+            lacking(self.ladder.is_none(), "the ladder of approximations", optional::LADDER),
             lacking(self.convergence.is_none(), "the convergence figure", optional::CONVERGENCE),
+            lacking(self.solver_cost.is_none(), "the cost of the solver", optional::SOLVER_COST),
             lacking(self.quadrature.is_none(), "the convergence of the size average", optional::QUADRATURE),
         ]
         .into_iter()

@@ -52,8 +52,10 @@ fn figures_are_well_formed_labelled_and_complete() {
     let figures = drawn(|_| ());
     let names: Vec<&str> = figures.keys().map(String::as_str).collect();
     let expected = [
+        "agreement.svg",
         "convergence.svg",
         "droplet-sizes.svg",
+        "ladder.svg",
         "misfit.svg",
         "orders-theta-0.svg",
         "orders-theta-40.svg",
@@ -62,6 +64,7 @@ fn figures_are_well_formed_labelled_and_complete() {
         "parameters.svg",
         "phase-functions.svg",
         "quadrature.svg",
+        "solver-cost.svg",
     ];
     assert_eq!(names, expected);
     for (name, svg) in &figures {
@@ -69,6 +72,7 @@ fn figures_are_well_formed_labelled_and_complete() {
     }
     for (name, label) in [
         ("convergence.svg", "wall time (s)"),
+        ("solver-cost.svg", "streams per hemisphere (number)"),
         ("quadrature.svg", "estimated error"),
         ("droplet-sizes.svg", "number density N(r) (cm−3 µm−1)"),
         ("misfit.svg", "misfit (per incident flux)"),

@@ -107,30 +107,43 @@ fn building_again_replaces_the_report() {
     assert_eq!(std::fs::read(&first.page).unwrap(), text);
 }
 
+const OPTIONAL: [&str; 9] = [
+    "optics/sphere.csv",
+    "agreement.json",
+    "ladder.csv",
+    "convergence.csv",
+    "solver_cost.csv",
+    "optics/quadrature.csv",
+    "published.csv",
+    "curves.csv",
+    "notes.json",
+];
+
+/// A disagreement stands in the page as an alarm, agreement as a plain sentence; a rung that was not measured says so.
+#[test]
+fn disagreement_and_absent_rungs_are_loud() {
+    let (calm, _) = page(|_| ());
+    assert!(calm.contains("All 21 parameters agree.") && !calm.contains("class=\"alarm\""));
+    assert!(calm.contains("<strong>not measured: no adapter</strong>"));
+    let (loud, _) = page(|dir| {
+        let mut rows = folder::agreement();
+        (rows[1].z, rows[1].differs) = (Some(9.0), true);
+        write_csv(&dir.join("agreement.csv"), &rows).unwrap();
+        write_json(&dir.join("agreement.json"), &folder::verdict(&rows)).unwrap();
+    });
+    assert!(loud.contains("class=\"alarm\"") && loud.contains("disagree in 1 of 21 parameters"));
+}
+
 #[test]
 fn optional_files_may_be_absent_and_the_page_says_so() {
-    for file in [
-        "optics/sphere.csv",
-        "convergence.csv",
-        "optics/quadrature.csv",
-        "published.csv",
-        "curves.csv",
-        "notes.json",
-    ] {
+    for file in OPTIONAL {
         let (page, left_out) = page(|dir| std::fs::remove_file(dir.join(file)).unwrap());
         assert_eq!(left_out.iter().map(|item| item.file).collect::<Vec<_>>(), [file]);
         assert!(page.contains(&format!("no file <code>{file}</code>")), "{file}");
     }
-    let all = [
-        "optics/sphere.csv",
-        "convergence.csv",
-        "optics/quadrature.csv",
-        "published.csv",
-        "curves.csv",
-        "notes.json",
-    ];
-    let (page, left_out) = page(|dir| all.iter().for_each(|f| std::fs::remove_file(dir.join(f)).unwrap()));
-    assert_eq!(left_out.len(), all.len());
+    let (page, left_out) =
+        page(|dir| OPTIONAL.iter().for_each(|f| std::fs::remove_file(dir.join(f)).unwrap()));
+    assert_eq!(left_out.len(), OPTIONAL.len());
     assert!(!page.contains("class=\"published\""));
 }
 

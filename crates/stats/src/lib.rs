@@ -5,10 +5,19 @@
 
 mod chi_square;
 mod estimate;
+mod family;
+mod kolmogorov;
+mod kolmogorov_smirnov;
+mod proportions;
 mod stream;
 mod z;
 
-pub use chi_square::{ChiSquare, ChiSquareError, MIN_EXPECTED, chi_square};
+pub use chi_square::{ChiSquare, ChiSquareError, MIN_EXPECTED, chi_square, chi_square_two_sample};
 pub use estimate::Estimate;
+pub use family::holm;
+pub use kolmogorov_smirnov::{
+    KolmogorovSmirnov, KolmogorovSmirnovError, kolmogorov_smirnov, kolmogorov_smirnov_two_sample,
+};
+pub use proportions::{Hits, p_value_of_share, p_value_of_two};
 pub use stream::{Purpose, key, photon_stream};
 pub use z::{family_threshold, z_score};

@@ -70,23 +70,6 @@ mod tests {
         Estimate::from_hits((0..trials).filter(|_| rng.next_u32() < below).count() as u64, trials)
     }
 
-    /// 400 families of 10 comparisons of equal proportions at α = 0.1: 40 alarms expected, standard
-    /// deviation 6; the bounds are 4 of them away.
-    #[test]
-    fn the_family_alarm_rate_is_as_stated() {
-        let threshold = family_threshold(0.1, 10).unwrap();
-        let half = u32::MAX / 2;
-        let alarm = |family: u64| {
-            (0..10).any(|test| {
-                let index = (family * 10 + test) * 2;
-                let (a, b) = (proportion(index, half, 1000), proportion(index + 1, half, 1000));
-                z_score(a, b).abs() > threshold
-            })
-        };
-        let alarms = (0..400).filter(|&family| alarm(family)).count();
-        assert!((16..=64).contains(&alarms), "{alarms} of 400");
-    }
-
     /// A difference of 8 standard errors is missed at threshold 4 less than once in 10⁴ seeds.
     #[test]
     fn a_planted_difference_is_rejected() {

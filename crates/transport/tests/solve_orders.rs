@@ -4,11 +4,10 @@
 
 mod common;
 
-use common::{Family, beam, full, h_function, half_space, hg, isotropic, request};
+use common::{Family, beam, cloud, full, h_function, half_space, hg, isotropic, modified_cloud, request};
 use std::f64::consts::PI;
-use std::path::Path;
 use std::sync::Arc;
-use stratiform_optics::phase::{Modified, Norm, PhaseFunction, PhaseTable};
+use stratiform_optics::phase::{Modified, PhaseFunction};
 use stratiform_quantities::{Incidence, Order, SingleScatteringAlbedo};
 use stratiform_transport::solve::{SolveMedium, Solved, Solver};
 use stratiform_transport::{TraceMedium, TransportError};
@@ -16,18 +15,6 @@ use stratiform_transport::{TraceMedium, TransportError};
 fn solver(phase: Arc<dyn PhaseFunction>, omega: f64, tolerance: f64) -> Solver {
     let omega = SingleScatteringAlbedo::new(omega).unwrap();
     Solver::new(SolveMedium::full(phase, omega), tolerance).unwrap()
-}
-
-/// The paper's cloud at 0.55 µm.
-fn cloud() -> Arc<dyn PhaseFunction> {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/accepted/phase_full.csv");
-    Arc::new(PhaseTable::read(Path::new(file), Norm::Strict).unwrap())
-}
-
-fn modified_cloud() -> TraceMedium {
-    let phase = Modified::new(cloud(), 5.0).unwrap();
-    let forward = phase.forward_fraction();
-    TraceMedium::modified(Arc::new(phase), SingleScatteringAlbedo::CONSERVATIVE, forward).unwrap()
 }
 
 /// The two values of an order.
@@ -132,19 +119,42 @@ fn orders_sum_to_absorbing_totals() {
         |g: f64| -> Vec<f64> { std::iter::successors(Some(1.0), |p| Some(p * g)).take(300).collect() };
     let c1 = common::published::coefficients("cloud-c1.csv");
     for (chi, tolerance) in [(powers(0.75), 1e-8), (powers(0.85), 1e-7), (c1, 1e-7)] {
-        let [lossless, absorbing] = [1.0, omega].map(|omega| {
-            let omega = SingleScatteringAlbedo::new(omega).unwrap();
-            Solver::new(SolveMedium::from_moments(chi.clone(), omega).unwrap(), tolerance).unwrap()
-        });
-        let orders = lossless.orders(&tau, &incidence, 45).unwrap();
-        let totals = absorbing.totals(&tau, &incidence).unwrap();
-        for (i, t) in (0..incidence.len()).flat_map(|i| [(i, 0), (i, 1)]) {
-            let expected = pair(&totals, i, t, Order::Total);
-            for (side, expected) in expected.into_iter().enumerate() {
-                let term = |n| pair(&orders, i, t, Order::Exactly(n))[side];
-                let sum = (0..=45).rev().fold(0.0, |sum, n| sum * omega + term(n));
-                assert!((sum - expected).abs() < tolerance, "{i} {t}: {:e}", sum - expected);
-            }
+        let of = |omega| SolveMedium::from_moments(chi.clone(), omega).unwrap();
+        orders_sum_to_totals(of, (&tau, &incidence), omega, tolerance);
+    }
+}
+
+/// The same for the paper's cloud, full and modified, to 1e-5.
+#[test]
+fn the_clouds_orders_sum_to_absorbing_totals() {
+    let incidence = [beam(0.1), beam(0.3), beam(1.0), Incidence::Diffuse];
+    let cut: Arc<dyn PhaseFunction> = Arc::new(Modified::new(cloud(), 5.0).unwrap());
+    for phase in [cloud(), cut] {
+        orders_sum_to_totals(
+            |omega| SolveMedium::full(phase.clone(), omega),
+            (&[0.5, 10.0], &incidence),
+            0.6,
+            1e-5,
+        );
+    }
+}
+
+fn orders_sum_to_totals(
+    medium: impl Fn(SingleScatteringAlbedo) -> SolveMedium,
+    (tau, incidence): (&[f64], &[Incidence]),
+    omega: f64,
+    tolerance: f64,
+) {
+    let [lossless, absorbing] = [1.0, omega]
+        .map(|omega| Solver::new(medium(SingleScatteringAlbedo::new(omega).unwrap()), tolerance).unwrap());
+    let orders = lossless.orders(tau, incidence, 45).unwrap();
+    let totals = absorbing.totals(tau, incidence).unwrap();
+    for (i, t) in (0..incidence.len()).flat_map(|i| [(i, 0), (i, 1)]) {
+        let expected = pair(&totals, i, t, Order::Total);
+        for (side, expected) in expected.into_iter().enumerate() {
+            let term = |n| pair(&orders, i, t, Order::Exactly(n))[side];
+            let sum = (0..=45).rev().fold(0.0, |sum, n| sum * omega + term(n));
+            assert!((sum - expected).abs() < tolerance, "{i} {t}: {:e}", sum - expected);
         }
     }
 }

@@ -2,10 +2,10 @@
 // Fluxes of a stratiform layer: the one-dimensional model of Bouthors et al. 2006.
 //
 // Program    stratiform 0.1.0
-// Inputs     0e30bc3cf925c7beca964b7a439b6162
-// Config     22bc4a029f2bb74266f9296c25607e3c
-// Seed       2006
-// Method     half-space Monte Carlo; least squares on a fixed grid; std_error propagated from the photons' covariance
+// Inputs     840f6baa36413b0627ca031553d1d159
+// Config     788f9247b859dd83b10281f06d40d1a2
+// Seed       none
+// Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
 // Units      tau is the extinction optical thickness of the full medium along the slab's normal, tau = kappa H.
 //            mu_l = cos(theta_l), the sun's zenith angle. Fluxes are shares of the flux incident on the slab.
@@ -14,65 +14,65 @@
 // Domain     mu_l in [0, 1], tau in [0, 1e6]; fitted over tau 0.0462 to 46.1814. Nothing is checked or clamped here.
 //            three_plus are differences and may fall below 0; theta_l = 90 deg is beyond the model's form.
 //
-// Error against the reference at the table's angles up to 80 deg, absolute; sigma is the reference's own largest standard error:
+// Error against the reference at the table's angles up to 80 deg, absolute; sigma is the reference's own largest estimated error:
 //   quantity    values     median        95 %       worst       sigma
-//   t_ms           180    1.02e-3     8.14e-3     1.42e-2     5.00e-4
-//   r_ms           180    1.02e-3     8.14e-3     1.42e-2     5.00e-4
-//   t_0            180    7.92e-5     5.23e-4     9.27e-4     5.00e-4
-//   t_1            180    1.35e-3     1.24e-2     2.01e-2     4.61e-4
-//   t_2            180    2.26e-3     1.07e-2     4.16e-2     3.87e-4
-//   t_3_plus       180    2.59e-3     2.39e-2     5.89e-2     5.00e-4
-//   r_1            180    1.70e-3     7.93e-3     1.40e-2     3.79e-4
-//   r_2            180    3.04e-3     1.14e-2     1.41e-2     3.24e-4
-//   r_3_plus       180    2.21e-3     1.50e-2     1.96e-2     5.00e-4
+//   t_ms           180    1.01e-3     8.37e-3     1.41e-2     7.64e-8
+//   r_ms           180    1.01e-3     8.37e-3     1.41e-2     7.64e-8
+//   t_0            180     0.00e0      0.00e0      0.00e0    2.22e-16
+//   t_1            180    1.36e-3     1.21e-2     2.03e-2     4.16e-8
+//   t_2            180    2.29e-3     1.07e-2     4.16e-2     4.16e-8
+//   t_3_plus       180    2.66e-3     2.45e-2     5.80e-2     3.75e-8
+//   r_1            180    1.67e-3     8.12e-3     1.40e-2     3.35e-8
+//   r_2            180    2.95e-3     1.12e-2     1.42e-2     3.70e-8
+//   r_3_plus       180    2.16e-3     1.48e-2     1.91e-2     3.75e-8
 //
-// Error against the reference between the table's angles up to 80 deg, absolute; sigma is the reference's own largest standard error:
+// Error against the reference between the table's angles up to 80 deg, absolute; sigma is the reference's own largest estimated error:
 //   quantity    values     median        95 %       worst       sigma
-//   t_ms           160    1.16e-3     6.98e-3     1.12e-2     7.07e-4
-//   r_ms           160    1.16e-3     6.98e-3     1.12e-2     7.07e-4
-//   t_0            160    1.50e-4     9.23e-4     1.71e-3     7.07e-4
-//   t_1            160    1.29e-3     9.42e-3     1.52e-2     6.52e-4
-//   t_2            160    2.41e-3     1.01e-2     3.05e-2     5.47e-4
-//   t_3_plus       160    2.40e-3     1.82e-2     4.02e-2     7.07e-4
-//   r_1            160    1.63e-3     8.14e-3     8.16e-3     4.59e-4
-//   r_2            160    2.85e-3     1.08e-2     1.50e-2     4.27e-4
-//   r_3_plus       160    2.22e-3     1.25e-2     1.79e-2     7.07e-4
+//   t_ms           160    1.13e-3     7.24e-3     1.15e-2     9.68e-8
+//   r_ms           160    1.13e-3     7.24e-3     1.15e-2     9.68e-8
+//   t_0            160     0.00e0      0.00e0      0.00e0    2.22e-16
+//   t_1            160    1.18e-3     9.39e-3     1.49e-2     3.43e-8
+//   t_2            160    2.40e-3     1.01e-2     3.07e-2     3.59e-8
+//   t_3_plus       160    2.23e-3     1.86e-2     4.11e-2     3.45e-8
+//   r_1            160    1.54e-3     7.78e-3     7.79e-3     3.28e-8
+//   r_2            160    3.10e-3     1.08e-2     1.48e-2     3.36e-8
+//   r_3_plus       160    2.24e-3     1.26e-2     1.81e-2     3.47e-8
 //
-// Error against the reference beyond 80 deg, where the model's form fails, absolute; sigma is the reference's own largest standard error:
+// Error against the reference beyond 80 deg, where the model's form fails, absolute; sigma is the reference's own largest estimated error:
 //   quantity    values     median        95 %       worst       sigma
-//   t_ms            40    1.52e-2     7.23e-2     1.74e-1     7.07e-4
-//   r_ms            40    1.52e-2     7.23e-2     1.74e-1     7.07e-4
-//   t_0             40     0.00e0     6.78e-4     8.32e-4     7.04e-4
-//   t_1             40    4.57e-2     2.59e-1     3.32e-1     6.47e-4
-//   t_2             40    1.94e-2     9.12e-2     1.14e-1     5.08e-4
-//   t_3_plus        40    5.38e-2     1.40e-1     4.08e-1     6.38e-4
-//   r_1             40    1.79e-2     6.50e-2     1.87e-1     6.29e-4
-//   r_2             40    1.23e-2     6.05e-2     6.38e-2     4.78e-4
-//   r_3_plus        40    3.84e-2     1.00e-1     1.07e-1     7.07e-4
+//   t_ms            40    1.56e-2     7.16e-2     1.73e-1     2.33e-7
+//   r_ms            40    1.56e-2     7.16e-2     1.73e-1     2.33e-7
+//   t_0             40     0.00e0      0.00e0      0.00e0    2.22e-16
+//   t_1             40    4.55e-2     2.58e-1     3.32e-1     5.68e-8
+//   t_2             40    1.96e-2     9.13e-2     1.14e-1     5.63e-8
+//   t_3_plus        40    5.41e-2     1.40e-1     4.07e-1     5.02e-8
+//   r_1             40    1.71e-2     6.50e-2     1.86e-1     3.56e-8
+//   r_2             40    1.26e-2     6.02e-2     6.36e-2     5.18e-8
+//   r_3_plus        40    3.88e-2     9.99e-2     1.06e-1     5.11e-8
 //
-// Error against the reference in diffuse light, absolute; sigma is the reference's own largest standard error:
+// Error against the reference in diffuse light, absolute; sigma is the reference's own largest estimated error:
 //   quantity    values     median        95 %       worst       sigma
-//   t_ms            20    1.09e-3     2.62e-3     3.01e-3     4.99e-4
-//   r_ms            20    1.09e-3     2.62e-3     3.01e-3     4.99e-4
-//   t_0             20    3.27e-4     7.24e-4     7.29e-4     4.99e-4
-//   t_1             20    7.72e-3     1.85e-2     1.91e-2     4.46e-4
-//   t_2             20    4.78e-3     1.52e-2     1.52e-2     3.67e-4
-//   t_3_plus        20    1.02e-2     2.54e-2     3.50e-2     4.99e-4
-//   r_1             20    5.21e-3     6.57e-3     6.84e-3     2.24e-4
-//   r_2             20    3.00e-3     1.16e-2     1.19e-2     2.16e-4
-//   r_3_plus        20    3.78e-3     1.66e-2     1.66e-2     4.99e-4
+//   t_ms            20    1.02e-3     3.26e-3     3.29e-3    3.01e-10
+//   r_ms            20    1.02e-3     3.26e-3     3.29e-3    3.01e-10
+//   t_0             20   2.08e-17    2.64e-13    6.67e-13     3.25e-8
+//   t_1             20    7.75e-3     1.82e-2     1.91e-2     3.25e-8
+//   t_2             20    4.71e-3     1.51e-2     1.54e-2     3.21e-8
+//   t_3_plus        20    1.04e-2     2.56e-2     3.50e-2     3.19e-8
+//   r_1             20    5.05e-3     6.82e-3     7.05e-3     3.24e-8
+//   r_2             20    2.78e-3     1.12e-2     1.16e-2     3.21e-8
+//   r_3_plus        20    3.80e-3     1.61e-2     1.64e-2     3.19e-8
 //
-// Interpolation error with every other gap doubled (a row left out at a time), absolute; sigma is the reference's own largest standard error:
+// Interpolation error with every other gap doubled (a row left out at a time), absolute; sigma is the reference's own largest estimated error:
 //   quantity    values     median        95 %       worst       sigma
-//   t_ms           184    1.57e-3     2.00e-2     4.99e-2      0.00e0
-//   r_ms           184    1.57e-3     2.00e-2     4.99e-2      0.00e0
+//   t_ms           184    1.43e-3     1.96e-2     4.90e-2      0.00e0
+//   r_ms           184    1.43e-3     1.96e-2     4.90e-2      0.00e0
 //   t_0            184     0.00e0      0.00e0      0.00e0      0.00e0
-//   t_1            184    9.21e-5     2.28e-2     8.89e-2      0.00e0
-//   t_2            184    2.67e-5     6.75e-3     8.63e-2      0.00e0
-//   t_3_plus       184    1.68e-3     4.25e-2     1.49e-1      0.00e0
-//   r_1            184    3.48e-4     1.29e-2     1.29e-2      0.00e0
-//   r_2            184    2.19e-4     4.65e-2     4.65e-2      0.00e0
-//   r_3_plus       184    1.53e-3     7.95e-2     1.09e-1      0.00e0
+//   t_1            184    1.79e-5     2.31e-2     8.94e-2      0.00e0
+//   t_2            184    6.24e-6     6.67e-3     8.65e-2      0.00e0
+//   t_3_plus       184    1.72e-3     4.17e-2     1.50e-1      0.00e0
+//   r_1            184    3.63e-4     1.33e-2     1.33e-2      0.00e0
+//   r_2            184    2.16e-4     4.68e-2     4.68e-2      0.00e0
+//   r_3_plus       184    1.50e-3     7.97e-2     1.09e-1      0.00e0
 //
 // Row theta_l = 50: c-not-identifiable.
 //
@@ -82,18 +82,18 @@
 //
 // Self-test (all vectors in self_test.json): mu_l, tau -> t_ms, r_ms, t_0, t_1, t_2, t_3_plus, r_1, r_2, r_3_plus
 //   1, 0 -> 1.0000000e0, 0.0000000e0, 1.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0
-//   0.9396926164627075, 0.10000000149011612 -> 9.9517082e-1, 4.8291800e-3, 9.4362363e-1, 4.9556584e-2, 1.3156346e-3, 6.7497149e-4, 3.8016273e-3, 1.9648204e-4, 8.3107069e-4
-//   0.7660444378852844, 200 -> 4.6323073e-2, 9.5367693e-1, 1.4870442e-62, 2.1677894e-64, 1.3452122e-62, 4.6323073e-2, 3.7267479e-2, 3.0545508e-2, 8.8586394e-1
-//   0.3420201539993286, 0.00009999999747378752 -> 9.9996321e-1, 3.6785709e-5, 9.9984058e-1, 1.1153432e-4, 6.5801248e-9, 1.1090983e-5, 2.6805878e-5, 2.9900567e-9, 9.9768408e-6
-//   0, 8 -> 1.4107464e-1, 8.5892536e-1, 0.0000000e0, 2.3961761e-36, 3.1798512e-35, 1.4107464e-1, 5.0000000e-1, 1.3408485e-1, 2.2484051e-1
-//   0.9028590321540833, 0.00000000999999993922529 -> 1.0000000e0, 5.2359157e-10, 9.9999999e-1, 5.4542143e-9, 1.4966767e-17, 6.1717009e-11, 4.3021016e-10, 2.3464584e-18, 9.3381405e-11
-//   0.704416036605835, 0.5 -> 9.4956505e-1, 5.0434948e-2, 6.7905939e-1, 2.2052610e-1, 3.6775968e-2, 1.3203595e-2, 2.2587070e-2, 6.4749420e-3, 2.1372936e-2
-//   0.4210100769996643, 10000 -> 7.0466708e-4, 9.9929533e-1, 0.0000000e0, 0.0000000e0, 0.0000000e0, 7.0466708e-4, 7.4281789e-2, 5.9041304e-2, 8.6597224e-1
-//   0.0010000000474974513, 0.009999999776482582 -> 8.7186563e-1, 1.2813437e-1, 4.2841315e-3, 2.5429979e-2, 4.8219414e-3, 8.3732958e-1, 9.2965710e-2, 2.5325554e-3, 3.2636103e-2
-//   0.10000000149011612, 40 -> 8.0694808e-2, 9.1930519e-1, 1.8815103e-95, 2.7604558e-56, 1.0172377e-54, 8.0694808e-2, 2.3712363e-1, 1.3144626e-1, 5.5073530e-1
+//   0.9396926164627075, 0.10000000149011612 -> 9.9519184e-1, 4.8081552e-3, 9.4362363e-1, 4.9609549e-2, 1.3185759e-3, 6.4008965e-4, 3.8095019e-3, 1.9711062e-4, 8.0154270e-4
+//   0.7660444378852844, 200 -> 4.6212512e-2, 9.5378749e-1, 1.4870442e-62, 2.0745106e-64, 1.2881957e-62, 4.6212512e-2, 3.7286481e-2, 3.0572656e-2, 8.8592835e-1
+//   0.3420201539993286, 0.00009999999747378752 -> 9.9996315e-1, 3.6846853e-5, 9.9984058e-1, 1.1173447e-4, 6.6050293e-9, 1.0829662e-5, 2.6901040e-5, 3.0060570e-9, 9.9428065e-6
+//   0, 8 -> 1.4084731e-1, 8.5915269e-1, 0.0000000e0, 1.7990505e-36, 2.3912050e-35, 1.4084731e-1, 5.0000000e-1, 1.3383741e-1, 2.2531528e-1
+//   0.9028590321540833, 0.00000000999999993922529 -> 1.0000000e0, 5.2198518e-10, 9.9999999e-1, 5.4573010e-9, 1.4983948e-17, 6.0236622e-11, 4.3100048e-10, 2.3520994e-18, 9.0984690e-11
+//   0.704416036605835, 0.5 -> 9.4931939e-1, 5.0680609e-2, 6.7905939e-1, 2.2055427e-1, 3.6794580e-2, 1.2911143e-2, 2.2651278e-2, 6.4950344e-3, 2.1534297e-2
+//   0.4210100769996643, 10000 -> 7.0412337e-4, 9.9929588e-1, 0.0000000e0, 0.0000000e0, 0.0000000e0, 7.0412337e-4, 7.4244506e-2, 5.9016071e-2, 8.6603530e-1
+//   0.0010000000474974513, 0.009999999776482582 -> 8.7183635e-1, 1.2816365e-1, 4.2841315e-3, 2.5457752e-2, 4.8498961e-3, 8.3724457e-1, 9.3242461e-2, 2.5434337e-3, 3.2377755e-2
+//   0.10000000149011612, 40 -> 8.0485216e-2, 9.1951478e-1, 1.8815103e-95, 3.0173734e-56, 1.1106269e-54, 8.0485216e-2, 2.3768750e-1, 1.3169162e-1, 5.5013567e-1
 
 // (1 - beta) / beta: T_ms = (b + (1 - b) exp(-c tau)) / (1 + slope tau).
-const STRATIFORM_SLOPE: f32 = 0.107588746;
+const STRATIFORM_SLOPE: f32 = 0.10771357;
 // Extinction of the modified medium per unit of tau.
 const STRATIFORM_KAPPA_S: f32 = 0.5452838;
 // Extinction per metre of the fitted cloud by the convention `paper`.
@@ -117,16 +117,16 @@ struct StratiformParameters {
 // The table's row i: every angle in rising theta_l.
 fn stratiform_node(i: u32) -> StratiformParameters {
     switch i {
-        case 0u: { return StratiformParameters(1.2326127, 0.29090887, 0.60034955, 0.8364821, 0.062064935); }
-        case 1u: { return StratiformParameters(1.2215155, 0.29522294, 0.6090457, 0.8366383, 0.06217731); }
-        case 2u: { return StratiformParameters(1.1831241, 0.32623437, 0.6337079, 0.83317035, 0.06387212); }
-        case 3u: { return StratiformParameters(1.1198033, 0.4132924, 0.6807389, 0.828732, 0.067302905); }
-        case 4u: { return StratiformParameters(1.0430913, 0.81120116, 0.7570642, 0.8196291, 0.07453496); }
-        case 5u: { return StratiformParameters(0.9611954, 0.6435982, 0.8756843, 0.81066805, 0.08926997); }
-        case 6u: { return StratiformParameters(0.8246695, 0.4922368, 1.0691228, 0.7991854, 0.12197293); }
-        case 7u: { return StratiformParameters(0.69302475, 0.84789693, 1.4111828, 0.79047215, 0.18998009); }
-        case 8u: { return StratiformParameters(0.54983455, 1.9317592, 2.192407, 0.7650929, 0.34187195); }
-        default: { return StratiformParameters(0.26249897, 20.0, 10.64343, 0.2681697, 1.0); }
+        case 0u: { return StratiformParameters(1.2325338, 0.28889403, 0.600469, 0.83710104, 0.062024135); }
+        case 1u: { return StratiformParameters(1.2199235, 0.29782873, 0.6087239, 0.8360935, 0.062439688); }
+        case 2u: { return StratiformParameters(1.1825998, 0.32909223, 0.6345666, 0.83300376, 0.06392319); }
+        case 3u: { return StratiformParameters(1.1220498, 0.40832466, 0.68159735, 0.82766426, 0.06731901); }
+        case 4u: { return StratiformParameters(1.0417554, 0.854336, 0.7572875, 0.81993943, 0.07457296); }
+        case 5u: { return StratiformParameters(0.9611148, 0.6616242, 0.8763634, 0.8100649, 0.08970809); }
+        case 6u: { return StratiformParameters(0.82442236, 0.4920426, 1.0701659, 0.7995814, 0.121763185); }
+        case 7u: { return StratiformParameters(0.6938588, 0.8517966, 1.414212, 0.7901947, 0.19024621); }
+        case 8u: { return StratiformParameters(0.54881006, 1.9254793, 2.1895654, 0.76496637, 0.3428902); }
+        default: { return StratiformParameters(0.26221666, 20.0, 10.679448, 0.26767483, 1.0); }
     }
 }
 
@@ -177,7 +177,7 @@ fn stratiform_parameters(mu_l: f32) -> StratiformParameters {
 
 // The parameters of diffuse light.
 fn stratiform_diffuse_parameters() -> StratiformParameters {
-    return StratiformParameters(0.9527769, 1.7120659, 0.8682571, 0.79426295, 0.11596444);
+    return StratiformParameters(0.954176, 1.7527653, 0.8670811, 0.7936292, 0.11590546);
 }
 
 // ---- brackets without cancellation, y >= 0 ---------------------------------------------------------------------

@@ -2,10 +2,10 @@
 // Phase functions of the cloud, looked up in a storage buffer.
 //
 // Program    stratiform 0.1.0
-// Inputs     0e30bc3cf925c7beca964b7a439b6162
-// Config     22bc4a029f2bb74266f9296c25607e3c
-// Seed       2006
-// Method     half-space Monte Carlo; least squares on a fixed grid; std_error propagated from the photons' covariance
+// Inputs     840f6baa36413b0627ca031553d1d159
+// Config     788f9247b859dd83b10281f06d40d1a2
+// Seed       none
+// Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
 // Units      v = 1 - cosTheta, cosTheta = +1 is forward. Take v, not cosTheta, near the forward direction:
 //            v = |a - b|^2 / 2 of two unit directions of flight keeps the digits that cosTheta loses.

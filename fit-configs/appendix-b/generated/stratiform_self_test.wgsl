@@ -2,10 +2,10 @@
 // Entry point that evaluates stratiform.wgsl over a buffer.
 //
 // Program    stratiform 0.1.0
-// Inputs     0e30bc3cf925c7beca964b7a439b6162
-// Config     22bc4a029f2bb74266f9296c25607e3c
-// Seed       2006
-// Method     half-space Monte Carlo; least squares on a fixed grid; std_error propagated from the photons' covariance
+// Inputs     840f6baa36413b0627ca031553d1d159
+// Config     788f9247b859dd83b10281f06d40d1a2
+// Seed       none
+// Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 
 // Append to stratiform.wgsl. Inputs are (mu_l, tau), with mu_l = -1 for diffuse light; outputs are nine fluxes
 // each, in the order of StratiformFluxes. self_test.json holds inputs and the f64 model's outputs.

@@ -17,20 +17,23 @@ pub fn fit(args: &StageArgs, talk: Talk) -> Result<Data, CliError> {
 /// Runs `reproduce`.
 ///
 /// # Errors
-/// As [`pipeline::run`].
+/// As [`pipeline::run`], and [`CliError::Unmet`], with everything written, if the two sources disagree.
 pub fn reproduce(args: &StageArgs, talk: Talk) -> Result<Data, CliError> {
     let data = chain(args, Target::Report, talk)?;
     talk.say(format!("report: {}", args.out.join("report.html").display()));
-    Ok(data)
+    match pipeline::read_agreement(&args.out).filter(|agreement| !agreement.agrees()) {
+        Some(disagreement) => Err(CliError::Unmet { message: disagreement.to_string(), data }),
+        None => Ok(data),
+    }
 }
 
 fn chain(args: &StageArgs, target: Target, talk: Talk) -> Result<Data, CliError> {
     let mut config = Config::load(&args.config)?;
     if let Some(seed) = args.seed {
-        config.transport.seed = seed;
+        config.transport.seed = Some(seed);
     }
     if let Some(photons) = args.photons {
-        config.transport.photons = photons;
+        config.transport.photons = Some(photons);
     }
     let parameters = pipeline::run(&config, &args.out, target, talk)?;
     if args.json {

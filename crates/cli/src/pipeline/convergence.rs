@@ -1,52 +1,82 @@
-//! `convergence.csv`: how both tracers' errors fall with photons and with seconds.
+//! `convergence.csv`: how the tracers' errors fall with photons, the solver's with streams, and all with seconds; and
+//! what the solver costs.
 
 use super::optics::Cloud;
 use super::reference::Media;
+use super::solver_cost;
 use crate::CliError;
-use crate::config::Config;
+use crate::config::{Config, ConvergenceConfig};
 use crate::output::Talk;
 use crate::{interrupt, progress};
 use std::path::Path;
 use std::time::Instant;
-use stratiform_artifact::{ConvergenceRow, OrdersRow, read_csv, write_csv};
+use stratiform_artifact::{ConvergenceRow, write_csv};
 use stratiform_model::table::cos_degrees;
 use stratiform_quantities::{Incidence, Medium, Order};
+use stratiform_transport::solve::{SolveMedium, Solver};
 use stratiform_transport::{
     Control, Stop, TraceMedium, TraceRequest, Traced, TransportError, trace_half_space, trace_plain,
 };
 
 type Tracer = fn(&TraceMedium, &TraceRequest, Control<'_>) -> Result<Traced, TransportError>;
 
+/// Moments of the phase function are enough for this.
+const TOLERANCE: f64 = 1e-7;
+
+/// Streams per hemisphere of the truth, and of the points.
+const FINEST: usize = 128;
+const STREAMS: [usize; 9] = [2, 4, 6, 8, 12, 16, 24, 32, 48];
+
+/// Runs of the solver of which the fastest counts.
+const REPEATS: usize = 5;
+
 /// What every point of the curves shares.
 struct Curve<'a> {
-    config: &'a Config,
+    settings: &'a ConvergenceConfig,
+    seed: u64,
     media: Media,
-    /// Thicknesses, each with the reference's total reflectance.
+    solver: Solver,
+    incidence: Incidence,
+    /// Thicknesses, each with the true total reflectance.
     truth: Vec<(f64, f64)>,
     talk: Talk,
 }
 
-/// Runs both tracers with rising numbers of photons and writes the file. The error is held against the reference of
-/// the fit, traced with other photons.
+/// Runs both tracers with rising numbers of photons, the solver with rising numbers of streams, and writes the files.
 ///
 /// # Errors
-/// [`CliError::Interrupted`], or [`CliError::Input`] if the angle is none of the reference's or a file fails.
-pub fn write(config: &Config, cloud: &Cloud, dir: &Path, talk: Talk) -> Result<Vec<String>, CliError> {
-    let reference = reference(dir, config.convergence.theta_l_deg)?;
-    let truth = thicknesses(config).iter().map(|k| (cloud.tau(config)[*k], reference[*k])).collect();
-    let curve = Curve { config, media: Media::new(config, cloud)?, truth, talk };
-    let mut rows = curve.points("plain", trace_plain, &config.convergence.plain_photons)?;
-    rows.extend(curve.points("half-space", trace_half_space, &config.convergence.half_space_photons)?);
+/// [`CliError::Interrupted`], or [`CliError::Input`] if a file fails.
+pub fn write(
+    config: &Config,
+    settings: &ConvergenceConfig,
+    cloud: &Cloud,
+    dir: &Path,
+    talk: Talk,
+) -> Result<Vec<String>, CliError> {
+    let tau: Vec<f64> = thicknesses(config, settings).iter().map(|k| cloud.tau(config)[*k]).collect();
+    let media = Media::new(config, cloud)?;
+    let solver =
+        Solver::new(SolveMedium::from(media.get(Medium::Full)), TOLERANCE).map_err(super::trace_error)?;
+    let incidence = Incidence::beam(cos_degrees(settings.theta_l_deg))?;
+    let finest = solver.totals_with_streams(FINEST, &tau, &[incidence]).map_err(super::trace_error)?;
+    let truth = tau.iter().zip(finest).map(|(tau, (reflectance, _))| (*tau, reflectance)).collect();
+    let seed = config.transport.seed.unwrap_or_default();
+    let cost = solver_cost::rows(&SolveMedium::from(media.get(Medium::Full)), incidence)?;
+    let curve = Curve { settings, seed, media, solver, incidence, truth, talk };
+    let mut rows = curve.points("plain", trace_plain, &settings.plain_photons)?;
+    rows.extend(curve.points("half-space", trace_half_space, &settings.half_space_photons)?);
+    rows.extend(curve.solved()?);
     write_csv(&dir.join("convergence.csv"), &rows)?;
-    Ok(vec!["convergence.csv".to_owned()])
+    write_csv(&dir.join("solver_cost.csv"), &cost)?;
+    Ok(vec!["convergence.csv".to_owned(), "solver_cost.csv".to_owned()])
 }
 
 /// Places in the fit's grid that are nearest to the thicknesses asked for, each once.
-fn thicknesses(config: &Config) -> Vec<usize> {
+fn thicknesses(config: &Config, settings: &ConvergenceConfig) -> Vec<usize> {
     let grid = config.fit.thickness_m.metres();
     let away = |k: &usize, wanted: f64| libm::log(grid[*k] / wanted).abs();
     let nearest = |wanted: &f64| (0..grid.len()).min_by(|a, b| away(a, *wanted).total_cmp(&away(b, *wanted)));
-    let mut places: Vec<_> = config.convergence.thickness_m.iter().filter_map(nearest).collect();
+    let mut places: Vec<_> = settings.thickness_m.iter().filter_map(nearest).collect();
     places.sort_unstable();
     places.dedup();
     places
@@ -81,44 +111,64 @@ impl Curve<'_> {
     fn request(&self, photons: u64) -> Result<TraceRequest, CliError> {
         Ok(TraceRequest {
             tau: self.truth.iter().map(|(tau, _)| *tau).collect(),
-            incidence: Incidence::beam(cos_degrees(self.config.convergence.theta_l_deg))?,
+            incidence: self.incidence,
             stop: Stop::Photons(photons),
             max_order: 0,
             // Other photons than the reference's, and others for each point.
-            seed: self.config.transport.seed ^ photons.wrapping_mul(0x9e37_79b9_7f4a_7c15),
+            seed: self.seed ^ photons.wrapping_mul(0x9e37_79b9_7f4a_7c15),
             stream: 0,
         })
     }
 
     fn compare(&self, estimator: &str, photons: u64, seconds: f64, traced: &Traced) -> Vec<ConvergenceRow> {
-        let row = |(index, (tau, truth)): (usize, &(f64, f64))| {
-            let reflectance = traced.estimate(index, Order::Total).0;
-            ConvergenceRow {
-                estimator: estimator.to_owned(),
-                theta_l_deg: self.config.convergence.theta_l_deg,
-                tau: *tau,
-                order: Order::Total.to_string(),
-                photons,
-                seconds,
-                error: (reflectance.value - truth).abs(),
-                std_error: reflectance.std_error,
-            }
-        };
-        self.truth.iter().enumerate().map(row).collect()
+        let total = |index| traced.estimate(index, Order::Total).0;
+        let values =
+            (0..self.truth.len()).map(|index| (total(index).value, total(index).std_error)).collect();
+        self.rows(estimator, photons, seconds, values)
     }
-}
 
-/// Total reflectance of the full medium at each thickness.
-fn reference(dir: &Path, theta: f64) -> Result<Vec<f64>, CliError> {
-    let rows: Vec<OrdersRow> = read_csv(&dir.join("orders.csv"))?;
-    let name = theta.to_string();
-    let wanted =
-        |row: &&OrdersRow| row.theta_l_deg == name && row.medium == Medium::Full && row.order == "total";
-    let values: Vec<_> = rows.iter().filter(wanted).map(|row| row.reflectance).collect();
-    if values.is_empty() {
-        return Err(CliError::Input(format!(
-            "convergence.theta_l_deg = {theta} is not one of fit.theta_l_deg"
-        )));
+    /// The solver's points. The medium is prepared, as the tracers' tables are; the modes are not.
+    fn solved(&self) -> Result<Vec<ConvergenceRow>, CliError> {
+        let tau: Vec<f64> = self.truth.iter().map(|(tau, _)| *tau).collect();
+        let solve = |streams| -> Result<(f64, Vec<f64>), CliError> {
+            self.solver.totals_with_streams(streams, &tau, &[self.incidence]).map_err(super::trace_error)?;
+            let solver = self.solver.unsolved();
+            let start = Instant::now();
+            let pairs = solver.totals_with_streams(streams, &tau, &[self.incidence]);
+            let seconds = start.elapsed().as_secs_f64();
+            Ok((seconds, pairs.map_err(super::trace_error)?.into_iter().map(|pair| pair.0).collect()))
+        };
+        let (mut rows, mut before) = (Vec::new(), solve(1)?.1);
+        for streams in STREAMS {
+            let (mut seconds, values) = solve(streams)?;
+            for _ in 1..REPEATS {
+                seconds = seconds.min(solve(streams)?.0);
+            }
+            let changes = values.iter().zip(&before).map(|(value, before)| (*value, (value - before).abs()));
+            rows.extend(self.rows("solver", streams as u64, seconds, changes.collect()));
+            before = values;
+        }
+        Ok(rows)
     }
-    Ok(values)
+
+    /// Rows of one run from its reflectances and their claimed errors.
+    fn rows(
+        &self,
+        estimator: &str,
+        photons: u64,
+        seconds: f64,
+        values: Vec<(f64, f64)>,
+    ) -> Vec<ConvergenceRow> {
+        let row = |((tau, truth), (value, std_error)): (&(f64, f64), (f64, f64))| ConvergenceRow {
+            estimator: estimator.to_owned(),
+            theta_l_deg: self.settings.theta_l_deg,
+            tau: *tau,
+            order: Order::Total.to_string(),
+            photons,
+            seconds,
+            error: (value - truth).abs(),
+            std_error,
+        };
+        self.truth.iter().zip(values).map(row).collect()
+    }
 }

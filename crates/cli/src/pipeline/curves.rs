@@ -4,7 +4,8 @@ use super::published;
 use crate::CliError;
 use std::path::Path;
 use stratiform_artifact::{
-    CurveModel, CurveQuantity, CurvesRow, ParameterRow, ParametersDocument, PublishedRow, write_csv,
+    CurveModel, CurveQuantity, CurvesRow, ParameterRow, ParameterTable, ParametersDocument, PublishedRow,
+    write_csv,
 };
 use stratiform_model::{Fluxes, Form, Parameters, Thickness, Values, table::cos_degrees};
 use stratiform_quantities::Incidence;
@@ -23,7 +24,7 @@ pub fn write(
     let mut rows = Vec::new();
     for row in &document.metres.rows {
         if let Some(theta) = row.theta_l_deg.degrees() {
-            draw(&mut rows, document, theta, CurveModel::Fitted, &values(document, row))?;
+            draw(&mut rows, document, theta, CurveModel::Fitted, &emitted(&document.metres, row))?;
         }
     }
     for row in published {
@@ -34,16 +35,16 @@ pub fn write(
     Ok("curves.csv".to_owned())
 }
 
-/// What emitted code uses for a row, per metre.
-pub fn values(document: &ParametersDocument, row: &ParameterRow) -> Values<f64> {
+/// What emitted code uses for a row of `table`.
+pub fn emitted(table: &ParameterTable, row: &ParameterRow) -> Values<f64> {
     Values {
-        beta: document.metres.beta.value,
+        beta: table.beta.value,
         b: row.b.emitted,
         c: row.c.emitted,
         kappa_c: row.kappa_c.emitted,
         t: row.t.emitted,
         r: row.r.emitted,
-        kappa_s: document.metres.kappa_s,
+        kappa_s: table.kappa_s,
     }
 }
 

@@ -1,18 +1,25 @@
-//! The chain in order: optics, reference, fit, codegen, convergence, notes, report. Each stage leaves files and is
+//! The chain in order: optics, reference, fit, codegen, witness, agreement, ladder, convergence, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;
+mod agreement;
 mod convergence;
 mod curves;
+pub mod fluxes;
+pub mod ladder;
 mod notes;
 pub mod optics;
 mod published;
 mod quadrature;
 pub mod reference;
 mod run;
+pub mod solved;
+mod solver_cost;
+pub mod source;
 mod stage;
 mod table;
 
+pub use agreement::read as read_agreement;
 pub use run::{Target, provenance, run};
 pub use table::parameter_table;
 

@@ -10,11 +10,11 @@ use stratiform_optics::OpticsError;
 use stratiform_optics::ensemble::{EnsembleSpec, QuadratureTolerance, refine};
 use stratiform_optics::phase::PhaseTable;
 
-/// Refines the average at the transport's wavelength up to the config's number of radii, whatever error that reaches.
+/// Refines the average at the transport's wavelength up to `most_radii`, whatever error that reaches.
 ///
 /// # Errors
 /// [`CliError::Input`] for numbers out of domain or a file that cannot be written.
-pub fn write(config: &Config, dir: &Path) -> Result<Vec<String>, CliError> {
+pub fn write(config: &Config, most_radii: u64, dir: &Path) -> Result<Vec<String>, CliError> {
     let droplets = config.optics.resolve().map_err(optics_error)?;
     let wavelength_um = config.transport.wavelength_um;
     let spec = EnsembleSpec {
@@ -23,7 +23,7 @@ pub fn write(config: &Config, dir: &Path) -> Result<Vec<String>, CliError> {
         wavelength_um,
         refractive_index: config.optics.refractive_index.at(wavelength_um).map_err(optics_error)?,
         theta_f_deg: config.optics.theta_f_deg,
-        tolerance: unreachable(config.convergence.most_radii),
+        tolerance: unreachable(most_radii),
     };
     let start = Instant::now();
     let mut rows = Vec::new();

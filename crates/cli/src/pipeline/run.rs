@@ -1,19 +1,21 @@
 //! The chain itself.
 
 use super::optics::Cloud;
-use super::reference::{Media, Plan, TracedIncidence, fit_reference, orders_rows, points};
 use super::stage::Workspace;
-use super::{accepted, convergence, curves, input_error, notes, optics, published, quadrature};
+use super::{
+    accepted, agreement, convergence, curves, fluxes, input_error, ladder, notes, optics, published,
+    quadrature, source,
+};
 use crate::CliError;
-use crate::config::Config;
+use crate::config::{Config, Source};
 use crate::output::Talk;
 use crate::progress;
 use std::path::Path;
 use stratiform_artifact::{
-    MediumRecord, OpticsDocument, OrdersRow, ParametersDocument, Provenance, create_folder, hash_of,
-    read_csv, read_json, write_csv, write_json,
+    LadderRow, OpticsDocument, ParametersDocument, Provenance, create_folder, read_csv, read_json, write_csv,
+    write_json,
 };
-use stratiform_codegen::{Inputs, PhaseRow, PhaseTables, ReferencePoint};
+use stratiform_codegen::{Inputs, PhaseRow, PhaseTables};
 use stratiform_fit::Reference;
 use stratiform_optics::phase::PhaseTable;
 
@@ -31,7 +33,7 @@ pub enum Target {
 /// # Errors
 /// [`CliError`]; stages that were finished stay finished.
 pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<ParametersDocument, CliError> {
-    config.check()?;
+    config.check_again()?;
     if target == Target::Report {
         config.check_span()?;
     }
@@ -47,30 +49,13 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
     stratiform_fit::ALBEDO
         .check("single_scattering_albedo", cloud.omega.get())
         .map_err(|error| CliError::from(error).at("the model that is fitted has no absorption"))?;
-    let plans = [Plan::nodes(config, &cloud), Plan::between(config, &cloud)];
-    let inputs = (work.hash_of_stage("optics"), &plans, &config.transport);
-    work.stage("reference", &inputs, |dir| trace(config, &cloud, &plans, dir, talk))?;
-    work.stage("fit", &(work.hash_of_stage("reference"), &provenance, &config.fit), |dir| {
-        fit(config, &cloud, provenance.clone(), dir)
-    })?;
+    let chain = Chain { config, cloud: &cloud, provenance: &provenance, talk };
+    let inputs = chain.inputs(&work, config.transport.source);
+    work.stage("reference", &inputs, |dir| source::write_reference(config, &cloud, dir, talk))?;
+    work.stage("fit", &(work.hash_of_stage("reference"), &provenance, &config.fit), |dir| chain.fit(dir))?;
     let parameters: ParametersDocument = read_json(&out.join("parameters.json"))?;
     if target == Target::Report {
-        let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
-        work.stage("codegen", &before, |dir| codegen(&parameters, &cloud, dir))?;
-        work.stage("convergence", &(&before, &config.convergence), |dir| {
-            convergence::write(config, &cloud, dir, talk)
-        })?;
-        work.stage(
-            "quadrature",
-            &(&config.optics, config.transport.wavelength_um, config.convergence.most_radii),
-            |dir| quadrature::write(config, dir),
-        )?;
-        work.stage("notes", &(&before, &provenance, config.published_table), |dir| {
-            notes(config, &document, &cloud, &parameters, &provenance, dir)
-        })?;
-        let inputs = ["optics", "reference", "fit", "convergence", "quadrature", "notes"]
-            .map(|stage| work.hash_of_stage(stage));
-        work.stage("report", &inputs, report)?;
+        chain.finish(&mut work, &document, &parameters)?;
     }
     work.save()?;
     Ok(parameters)
@@ -78,55 +63,109 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
 
 /// Provenance of everything that the chain writes.
 pub fn provenance(config: &Config) -> Provenance {
-    let hash = hash_of(&(&config.optics, &config.transport, &config.fit));
-    let method = "half-space Monte Carlo; least squares on a fixed grid; std_error propagated from the photons' covariance";
-    Provenance::new(hash, Some(config.transport.seed), method)
+    source::provenance(config, config.transport.source)
 }
 
-fn trace(
-    config: &Config,
-    cloud: &Cloud,
-    plans: &[Plan; 2],
-    dir: &Path,
+/// What every stage needs.
+struct Chain<'a> {
+    config: &'a Config,
+    cloud: &'a Cloud,
+    provenance: &'a Provenance,
     talk: Talk,
-) -> Result<Vec<String>, CliError> {
-    let media = Media::new(config, cloud)?;
-    let bar = progress::bar(plans.iter().map(Plan::histories).sum(), "photons", talk.quiet);
-    let nodes = plans[0].trace(&media, &|done| bar.set_position(done))?;
-    let first = plans[0].histories();
-    let between = plans[1].trace(&media, &|done| bar.set_position(first + done))?;
-    bar.finish_and_clear();
-    let references: Vec<Reference> = nodes.iter().map(|traced| fit_reference(config, traced)).collect();
-    let metres = config.fit.thickness_m.metres();
-    let rows = |traced: &[TracedIncidence]| {
-        traced.iter().flat_map(|t| orders_rows(t, &metres)).collect::<Vec<OrdersRow>>()
-    };
-    let mut compared: Vec<ReferencePoint> = Vec::new();
-    for traced in nodes.iter().chain(&between) {
-        compared.extend(points(config, traced)?);
-    }
-    write_json(&dir.join("reference.json"), &references)?;
-    write_csv(&dir.join("orders.csv"), &rows(&nodes))?;
-    write_csv(&dir.join("orders_between.csv"), &rows(&between))?;
-    write_csv(&dir.join("reference.csv"), &compared)?;
-    Ok(["reference.json", "orders.csv", "orders_between.csv", "reference.csv"].map(str::to_owned).to_vec())
 }
 
-fn fit(config: &Config, cloud: &Cloud, provenance: Provenance, dir: &Path) -> Result<Vec<String>, CliError> {
-    let references: Vec<Reference> = read_json(&dir.join("reference.json"))?;
-    let medium = MediumRecord {
-        wavelength_um: config.transport.wavelength_um,
-        extinction_convention: config.transport.extinction_convention,
-        extinction_per_m: cloud.extinction_per_m,
-        single_scattering_albedo: cloud.omega.get(),
-        asymmetry: cloud.asymmetry,
-        theta_f_deg: config.optics.theta_f_deg,
-        forward_fraction: cloud.phase.forward_fraction(config.optics.theta_f_deg).map_err(input_error)?,
-    };
-    let document = stratiform_fit::fit(&config.fit, &references, medium, provenance).map_err(input_error)?;
-    write_json(&dir.join("parameters.json"), &document)?;
-    write_csv(&dir.join("parameters.csv"), &document.csv_rows())?;
-    Ok(vec!["parameters.json".to_owned(), "parameters.csv".to_owned()])
+impl Chain<'_> {
+    /// What the fluxes of `source` depend on.
+    fn inputs(&self, work: &Workspace, source: Source) -> impl serde::Serialize + use<> {
+        let transport = self.config.transport.that_counts(source);
+        (work.hash_of_stage("optics"), fluxes::nodes(self.config), self.cloud.tau(self.config), transport)
+    }
+
+    fn fit(&self, dir: &Path) -> Result<Vec<String>, CliError> {
+        let references: Vec<Reference> = read_json(&dir.join("reference.json"))?;
+        let document = source::fit(self.config, self.cloud, &references, self.provenance.clone())?;
+        write_json(&dir.join("parameters.json"), &document)?;
+        write_csv(&dir.join("parameters.csv"), &document.csv_rows())?;
+        Ok(vec!["parameters.json".to_owned(), "parameters.csv".to_owned()])
+    }
+
+    /// The stages after the fit.
+    fn finish(
+        &self,
+        work: &mut Workspace,
+        document: &OpticsDocument,
+        parameters: &ParametersDocument,
+    ) -> Result<(), CliError> {
+        let Self { config, cloud, provenance, talk } = *self;
+        let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
+        work.stage("codegen", &before, |dir| codegen(parameters, cloud, dir))?;
+        self.agreement(work, parameters)?;
+        self.ladder(work, parameters)?;
+        self.convergence(work, &before)?;
+        work.stage("notes", &(&before, provenance, config.published_table), |dir| {
+            notes(config, document, cloud, parameters, provenance, dir)
+        })?;
+        let inputs =
+            ["optics", "reference", "fit", "agreement", "ladder", "convergence", "quadrature", "notes"]
+                .map(|stage| work.hash_of_stage(stage));
+        work.stage("report", &inputs, report)?;
+        talk.say(format!("\n{}\n", ladder::table(&read_csv::<LadderRow>(&work.dir().join("ladder.csv"))?)));
+        if let Some(agreement) = agreement::read(work.dir()) {
+            talk.say(agreement);
+        }
+        Ok(())
+    }
+
+    /// The other source, and whether both agree; nothing where there are no photons.
+    fn agreement(&self, work: &mut Workspace, parameters: &ParametersDocument) -> Result<(), CliError> {
+        let Self { config, cloud, talk, .. } = *self;
+        let (Some(witness), Some(photons)) = (source::witness(config), config.transport.photons) else {
+            work.without("witness")?;
+            return work.without("agreement");
+        };
+        work.stage("witness", &self.inputs(work, witness), |dir| {
+            source::write_witness(config, cloud, witness, dir, talk)
+        })?;
+        let inputs = ["reference", "fit", "witness"].map(|stage| work.hash_of_stage(stage));
+        work.stage("agreement", &(inputs, &config.fit), |dir| {
+            let references: Vec<Reference> = read_json(&dir.join("witness/reference.json"))?;
+            let provenance = source::provenance(config, witness);
+            let other = source::fit(config, cloud, &references, provenance)?;
+            let [solved, traced] = match witness {
+                Source::Trace => [parameters, &other],
+                Source::Solve => [&other, parameters],
+            };
+            agreement::write(dir, solved, traced, photons)
+        })
+    }
+
+    fn ladder(&self, work: &mut Workspace, parameters: &ParametersDocument) -> Result<(), CliError> {
+        let Self { config, cloud, .. } = *self;
+        let folders = match config.transport.source {
+            Source::Trace => ladder::Folders { solved: "witness", traced: Some("") },
+            Source::Solve => {
+                ladder::Folders { solved: "", traced: config.transport.photons.map(|_| "witness") }
+            }
+        };
+        let device = ladder::Device::open();
+        let stages = ["reference", "fit", "codegen", "witness"].map(|stage| work.hash_of_stage(stage));
+        work.stage("ladder", &(stages, &config.fit, device.name()), |dir| {
+            ladder::write(config, cloud, parameters, &folders, &device, dir)
+        })
+    }
+
+    fn convergence(&self, work: &mut Workspace, before: &[String; 3]) -> Result<(), CliError> {
+        let Self { config, cloud, talk, .. } = *self;
+        let Some(settings) = &config.convergence else {
+            work.without("convergence")?;
+            return work.without("quadrature");
+        };
+        work.stage("convergence", &(before, settings), |dir| {
+            convergence::write(config, settings, cloud, dir, talk)
+        })?;
+        let inputs = (&config.optics, config.transport.wavelength_um, settings.most_radii);
+        work.stage("quadrature", &inputs, |dir| quadrature::write(config, settings.most_radii, dir))
+    }
 }
 
 fn codegen(parameters: &ParametersDocument, cloud: &Cloud, dir: &Path) -> Result<Vec<String>, CliError> {

@@ -4,7 +4,7 @@
 use crate::{CliError, output::Talk};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::time::Instant;
 use stratiform_artifact::{
     Provenance, create_folder, hash_bytes, hash_of, read_json, write_atomic, write_json,
@@ -66,6 +66,11 @@ impl Workspace {
         Ok(Self { dir: dir.to_owned(), manifest, talk })
     }
 
+    /// The folder.
+    pub fn dir(&self) -> &Path {
+        &self.dir
+    }
+
     /// The inputs' hash of a stage that ran, to hand on to those that depend on it.
     pub fn hash_of_stage(&self, name: &str) -> String {
         self.manifest.stages.get(name).map_or_else(String::new, |record| hash_of(&record.files))
@@ -94,10 +99,32 @@ impl Workspace {
                 std::fs::read(self.dir.join(&file)).map_err(|e| CliError::Input(format!("{file}: {e}")))?;
             files.insert(file, hash_bytes(&bytes));
         }
+        self.remove_files(name, |file| !files.contains_key(file));
         let seconds = start.elapsed().as_secs_f64();
         self.talk.say(format!("{name}: {seconds:.2} s"));
         self.manifest.stages.insert(name.to_owned(), StageRecord { inputs_hash, seconds, files });
         self.save()
+    }
+
+    /// Takes away what an earlier run of stage `name` left, because this config has no such stage.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] if the manifest cannot be written.
+    pub fn without(&mut self, name: &str) -> Result<(), CliError> {
+        self.remove_files(name, |_| true);
+        self.manifest.stages.remove(name);
+        self.save()
+    }
+
+    /// Removes those files of the stage's last run that are `unwanted`.
+    fn remove_files(&self, name: &str, unwanted: impl Fn(&str) -> bool) {
+        let files = self.manifest.stages.get(name).into_iter().flat_map(|record| record.files.keys());
+        for file in files.filter(|file| unwanted(file)) {
+            // A file that is gone already, or a path that is none of ours, needs no removal.
+            if Path::new(file).components().all(|part| matches!(part, Component::Normal(_))) {
+                let _ = std::fs::remove_file(self.dir.join(file));
+            }
+        }
     }
 
     fn is_fresh(&self, name: &str, inputs_hash: &str) -> bool {
@@ -146,6 +173,23 @@ mod tests {
         assert_eq!(run(2), 3);
         std::fs::write(dir.path().join("manifest.json"), "{").unwrap();
         assert_eq!(run(2), 4);
+    }
+
+    #[test]
+    fn what_a_stage_no_longer_writes_is_taken_away() {
+        let dir = tempfile::tempdir().unwrap();
+        let run = |name: &'static str| {
+            let stage = |dir: &Path| {
+                write_atomic(&dir.join(name), b"x")?;
+                Ok(vec![name.to_owned()])
+            };
+            open(dir.path()).stage("a", &name, stage).unwrap();
+        };
+        run("old.txt");
+        run("new.txt");
+        assert!(!dir.path().join("old.txt").exists() && dir.path().join("new.txt").exists());
+        open(dir.path()).without("a").unwrap();
+        assert!(!dir.path().join("new.txt").exists() && open(dir.path()).manifest.stages.is_empty());
     }
 
     #[test]

@@ -71,7 +71,11 @@ pub fn parameter_table(
             let _ = writeln!(text, "{:>9}  {}", "flags", row.flag_names());
         }
     }
-    text.push_str("\n1.234(56) means 1.234 with a standard error of 0.056; - is not identifiable; ! has no error (fixed or on a bound)\n");
+    let _ = writeln!(
+        text,
+        "\n1.234(56) means 1.234 with {} of 0.056; - is not identifiable; ! has no error (fixed or on a bound)",
+        if document.provenance.is_random() { "a standard error" } else { "an estimated error" }
+    );
     Ok(text)
 }
 

@@ -1,6 +1,6 @@
-//! Legendre moments χ_l = ½∫P·P_l sinΘ dΘ of a table, and sums Σ(2l+1)χ_l P_l.
+//! Legendre moments χ_l = ½∫P·P_l sinΘ dΘ of a table or of the peak of any function, and sums Σ(2l+1)χ_l P_l.
 //!
-//! Each cell gets enough Gauss–Legendre points for the oscillation of the highest P_l, whose phase is lΘ; the
+//! Each cell, or panel of a peak, gets enough Gauss–Legendre points for the oscillation of the highest P_l, whose phase is lΘ; the
 //! quadrature error is then below 1e-12. The recurrence (l+1)P_{l+1} = (2l+1)μP_l - lP_{l-1} runs over lanes of
 //! points. Blocks of points are summed in their order: the bits do not depend on the number of threads.
 
@@ -13,36 +13,76 @@ const LANES: usize = 32;
 
 /// χ_0 … χ_{count-1} of `table`.
 pub(super) fn moments(table: &PhaseTable, count: usize) -> Vec<f64> {
-    let points = quadrature(table, count);
-    let blocks: Vec<Vec<f64>> =
-        points.par_chunks(64 * LANES).map(|block| block_moments(block, count)).collect();
-    blocks.iter().fold(vec![0.0; count], |mut sum, block| {
-        sum.iter_mut().zip(block).for_each(|(total, part)| *total += part);
-        sum
-    })
+    below(table, f64::INFINITY, count)
 }
 
-/// (cosΘ, ½ w P sinΘ) of every quadrature point.
-fn quadrature(table: &PhaseTable, count: usize) -> Vec<(f64, f64)> {
-    const RULES: [usize; 5] = [6, 8, 12, 20, 48];
-    let rules = RULES.map(gauss_legendre);
-    let mut points = Vec::new();
-    for (cell, width) in table.cells() {
+/// What Θ < `end` contributes to the moments of `table`.
+pub(super) fn below(table: &PhaseTable, end: f64, count: usize) -> Vec<f64> {
+    let mut rules = Rules::new(count);
+    for (cell, width) in table.cells().take_while(|(cell, _)| cell.start < end) {
+        rules.add(cell.start, width.min(end - cell.start), 0.0, |t| cell.value + cell.slope * t);
+    }
+    rules.moments()
+}
+
+/// What Θ < `end` contributes to the moments of a smooth P(v): panels halve towards the forward direction, 2⁻²⁴ of
+/// `end` being the last.
+pub(super) fn below_smooth(p: impl Fn(f64) -> f64, end: f64, count: usize) -> Vec<f64> {
+    const HALVINGS: i32 = 24;
+    let mut rules = Rules::new(count);
+    let mut start = 0.0;
+    for halving in (0..=HALVINGS).rev() {
+        let width = libm::scalbn(end, -halving) - start;
+        rules.add(start, width, 20.0, |t| {
+            let sine = libm::sin(0.5 * (start + t));
+            p(2.0 * sine * sine)
+        });
+        start += width;
+    }
+    rules.moments()
+}
+
+/// Quadrature points of moments, cell by cell.
+struct Rules {
+    count: usize,
+    rules: [Vec<(f64, f64)>; 5],
+    /// (cosΘ, ½ w P sinΘ).
+    points: Vec<(f64, f64)>,
+}
+
+impl Rules {
+    fn new(count: usize) -> Self {
+        Self { count, rules: [6, 8, 12, 20, 48].map(gauss_legendre), points: Vec::new() }
+    }
+
+    /// A cell from `start` on, of `width` radians, where P is `p` of the distance from `start` and needs
+    /// `least` points by itself.
+    fn add(&mut self, start: f64, width: f64, least: f64, p: impl Fn(f64) -> f64) {
+        let count = self.count as f64;
         // 48 points serve a phase of 50; wider cells are split.
-        let pieces = (width * count as f64 / 50.0).ceil().max(1.0);
+        let pieces = (width * count / 50.0).ceil().max(1.0);
         let half = 0.5 * width / pieces;
-        let needed = 5.0 + 0.5 * (2.0 * half * count as f64) + 3.0 * half;
-        let rule = rules.iter().find(|rule| rule.len() as f64 >= needed).unwrap_or(&rules[RULES.len() - 1]);
+        let needed = 5.0 + 0.5 * (2.0 * half * count) + 3.0 * half;
+        let finest = &self.rules[self.rules.len() - 1];
+        let rule = self.rules.iter().find(|rule| rule.len() as f64 >= needed.max(least)).unwrap_or(finest);
         for piece in 0..pieces as usize {
             let centre = half * (2 * piece + 1) as f64;
-            points.extend(rule.iter().map(|(node, weight)| {
+            self.points.extend(rule.iter().map(|(node, weight)| {
                 let t = centre + half * node;
-                let theta = cell.start + t;
-                (libm::cos(theta), 0.5 * weight * half * (cell.value + cell.slope * t) * libm::sin(theta))
+                let theta = start + t;
+                (libm::cos(theta), 0.5 * weight * half * p(t) * libm::sin(theta))
             }));
         }
     }
-    points
+
+    fn moments(&self) -> Vec<f64> {
+        let blocks: Vec<Vec<f64>> =
+            self.points.par_chunks(64 * LANES).map(|block| block_moments(block, self.count)).collect();
+        blocks.iter().fold(vec![0.0; self.count], |mut sum, block| {
+            sum.iter_mut().zip(block).for_each(|(total, part)| *total += part);
+            sum
+        })
+    }
 }
 
 fn block_moments(points: &[(f64, f64)], count: usize) -> Vec<f64> {

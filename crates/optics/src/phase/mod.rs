@@ -40,4 +40,14 @@ pub trait PhaseFunction: Send + Sync {
 
     /// Legendre moments χ_0 … χ_{count-1}, χ_l = ½∫P·P_l dcosΘ.
     fn moments(&self, count: usize) -> Vec<f64>;
+
+    /// What scattering below v = `edge` contributes to the moments: ½∫P·P_l dcosΘ over 1 - cosΘ < `edge`.
+    fn peak_moments(&self, edge: f64, count: usize) -> Vec<f64> {
+        legendre::below_smooth(|v| self.value(v), angle(edge), count)
+    }
+}
+
+/// Θ of v = 1 - cosΘ.
+fn angle(v: f64) -> f64 {
+    2.0 * libm::asin((0.5 * v).clamp(0.0, 1.0).sqrt())
 }

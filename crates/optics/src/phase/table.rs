@@ -5,7 +5,7 @@
 //! form of [`cell`](super::cell), its inversion exact to rounding.
 
 use super::cell::Cell;
-use super::{PhaseFunction, legendre};
+use super::{PhaseFunction, angle, legendre};
 use crate::OpticsError;
 use stratiform_quantities::Range;
 
@@ -158,11 +158,6 @@ pub(super) fn check(theta_deg: &[f64], p: &[f64]) -> Result<(), (Option<usize>, 
     Ok(())
 }
 
-/// Θ of v = 1 - cosΘ.
-fn angle(v: f64) -> f64 {
-    2.0 * libm::asin((0.5 * v).clamp(0.0, 1.0).sqrt())
-}
-
 impl PhaseFunction for PhaseTable {
     fn value(&self, v: f64) -> f64 {
         self.at(angle(v))
@@ -183,5 +178,9 @@ impl PhaseFunction for PhaseTable {
 
     fn moments(&self, count: usize) -> Vec<f64> {
         legendre::moments(self, count)
+    }
+
+    fn peak_moments(&self, edge: f64, count: usize) -> Vec<f64> {
+        legendre::below(self, angle(edge), count)
     }
 }

@@ -32,12 +32,14 @@ impl Axis {
     }
 }
 
-/// A named vertical line.
+/// A named vertical line, or a name beside a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// Where.
     pub x: f64,
-    /// Its name, written at the upper end, right of the line.
+    /// Height of the point; none for a line.
+    pub y: Option<f64>,
+    /// Its name; of a line, written at the upper end, right of it.
     pub label: String,
 }
 
@@ -52,7 +54,7 @@ pub struct Panel {
     pub y: Axis,
     /// Data, the last drawn on top.
     pub series: Vec<Series>,
-    /// Reference lines.
+    /// Reference lines and names of points.
     pub marks: Vec<Mark>,
 }
 
@@ -132,10 +134,29 @@ fn grid_line(x1: f64, y1: f64, x2: f64, y2: f64) -> Markup {
 }
 
 fn draw_mark(mark: &Mark, area: &Area) -> Markup {
-    let Some(x) = area.x.position(mark.x).map(|p| p * area.width) else { return html! {} };
-    // The name stands on whichever side has room.
+    mark.y.map_or_else(|| draw_line(mark, area), |y| draw_name(mark, y, area))
+}
+
+/// Where a name stands: on whichever side of `x` has room.
+fn beside(mark: &Mark, x: f64, area: &Area) -> (f64, &'static str) {
     let fits = x + label::width(&mark.label, SMALL) + 8.0 < area.width;
-    let (at, anchor) = if fits { (x + 5.0, "start") } else { (x - 5.0, "end") };
+    if fits { (x + 5.0, "start") } else { (x - 5.0, "end") }
+}
+
+/// Above the point, on whichever side has room.
+fn draw_name(mark: &Mark, y: f64, area: &Area) -> Markup {
+    let Some((x, y)) = area.place(mark.x, y) else { return html! {} };
+    let (at, anchor) = beside(mark, x, area);
+    html! {
+        text x=(format!("{at:.2}")) y=(format!("{:.2}", y - 5.0)) font-size=(SMALL) fill="#222" text-anchor=(anchor) {
+            (label::svg(&mark.label, SMALL))
+        }
+    }
+}
+
+fn draw_line(mark: &Mark, area: &Area) -> Markup {
+    let Some(x) = area.x.position(mark.x).map(|p| p * area.width) else { return html! {} };
+    let (at, anchor) = beside(mark, x, area);
     html! {
         path d=(format!("M{x:.2} 0V{:.2}", area.height)) stroke="#666" stroke-dasharray="2 3" {}
         text x=(format!("{at:.2}")) y="14" font-size=(SMALL) fill="#444" text-anchor=(anchor) {

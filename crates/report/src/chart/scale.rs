@@ -18,6 +18,8 @@ pub struct Scale {
     high: f64,
     /// Distance of the ticks of a linear axis, where it is not left to the program.
     step: Option<f64>,
+    /// Names of the places 0, 1, …, instead of numbers.
+    names: Option<&'static [&'static str]>,
 }
 
 /// Free space beyond the data at either end, as a share of the axis.
@@ -44,7 +46,19 @@ impl Scale {
         // A single value still needs an axis of some length; one decade, or the value's own size.
         let size = if logarithmic { 1.0 } else { low.abs().max(high.abs()).max(1e-9) };
         let span = if high - low > 1e-9 * size { high - low } else { size };
-        Self { logarithmic, low: low - MARGIN * span, high: low + (1.0 + MARGIN) * span, step: None }
+        Self {
+            logarithmic,
+            low: low - MARGIN * span,
+            high: low + (1.0 + MARGIN) * span,
+            step: None,
+            names: None,
+        }
+    }
+
+    /// An axis with named places at 0, 1, ….
+    pub fn named(names: &'static [&'static str]) -> Self {
+        let last = names.len().saturating_sub(1) as f64;
+        Self { logarithmic: false, low: -0.5, high: last + 0.5, step: None, names: Some(names) }
     }
 
     /// The same with ticks at multiples of `step` (linear axes).
@@ -64,6 +78,10 @@ impl Scale {
 
     /// About `target` labelled ticks, and minor ones between.
     pub fn ticks(&self, target: usize) -> Vec<Tick> {
+        if let Some(names) = self.names {
+            let tick = |(i, name): (usize, &&str)| Tick { value: i as f64, label: Some((*name).to_owned()) };
+            return names.iter().enumerate().map(tick).collect();
+        }
         if self.logarithmic { self.log_ticks(target) } else { self.linear_ticks(target) }
     }
 
@@ -160,6 +178,13 @@ mod tests {
         assert_eq!(labels(Scale::logarithmic([1.0, 1000.0]), 4), ["1", "10", "100", "1000"]);
         assert_eq!(labels(Scale::logarithmic([2e-6, 3e-4]), 3), ["10^{−5}", "10^{−4}"]);
         assert_eq!(labels(Scale::logarithmic([0.03, 0.6]), 5), ["0.05", "0.1", "0.2", "0.5"]);
+    }
+
+    #[test]
+    fn named_places_are_all_labelled() {
+        let scale = Scale::named(&["a", "b"]);
+        assert_eq!(labels(scale, 1), ["a", "b"]);
+        assert_eq!(scale.position(0.5), Some(0.5));
     }
 
     #[test]

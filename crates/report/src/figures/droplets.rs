@@ -22,6 +22,7 @@ pub fn figure(optics: &OpticsDocument) -> Figure {
         ),
         series: vec![Series { style: Style::line(palette::BLUE, Line::Solid).with_width(2.0), points }],
         marks: vec![Mark {
+            y: None,
             x: optics.effective_radius_um,
             label: format!("r_{{e}} = {} µm", optics.effective_radius_um),
         }],

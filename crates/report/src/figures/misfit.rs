@@ -33,9 +33,10 @@ pub fn figure(inputs: &Inputs) -> Figure {
     Figure {
         name: "misfit".to_owned(),
         title: "Misfit of the one-dimensional model".to_owned(),
-        caption: "Model minus Monte Carlo over the thickness grid, in units of the incident flux. Right: rms over, \
+        caption:
+            "Model minus reference over the thickness grid, in units of the incident flux. Right: rms over, \
                   and maximum of, the four orders."
-            .to_owned(),
+                .to_owned(),
         legend,
         rows: vec![Row { height: 320.0, panels }],
     }

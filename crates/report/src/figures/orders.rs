@@ -39,7 +39,7 @@ pub fn figure(inputs: &Inputs, theta_deg: f64) -> Figure {
              of wide scattering events. The totals (ms) belong to the full medium, the orders to the modified \
              one."
         ),
-        legend: legend(&curves),
+        legend: legend(&curves, inputs.parameters.provenance.is_random()),
         rows: vec![Row { height: 360.0, panels: vec![transmitted, reflected] }],
     }
 }
@@ -62,7 +62,7 @@ fn line(model: CurveModel) -> (Line, &'static str) {
     }
 }
 
-fn legend(curves: &[&CurvesRow]) -> Vec<LegendEntry> {
+fn legend(curves: &[&CurvesRow], random: bool) -> Vec<LegendEntry> {
     let orders = TRANSMITTED.map(|quantity| {
         let (colour, marker, name) = look(quantity);
         LegendEntry::new(name, Style::points(colour, marker))
@@ -72,8 +72,8 @@ fn legend(curves: &[&CurvesRow]) -> Vec<LegendEntry> {
         let present = curves.iter().any(|row| row.model == model);
         present.then(|| LegendEntry::new(name, Style::line(palette::GREY, line)))
     });
-    let dots =
-        LegendEntry::new("Monte Carlo ± 1 standard error", Style::points(palette::GREY, Marker::Circle));
+    let reference = if random { "Monte Carlo ± 1 standard error" } else { "solver" };
+    let dots = LegendEntry::new(reference, Style::points(palette::GREY, Marker::Circle));
     orders.into_iter().chain([dots]).chain(models).collect()
 }
 
@@ -87,7 +87,7 @@ fn panel(
     let lines = quantities.iter().flat_map(|quantity| model_curves(*quantity, curves));
     let dots = quantities.iter().map(|quantity| {
         let (colour, marker, _) = look(*quantity);
-        Series { style: Style::points(colour, marker), points: monte_carlo(*quantity, orders) }
+        Series { style: Style::points(colour, marker), points: reference(*quantity, orders) }
     });
     let series: Vec<Series> = lines.chain(dots).collect();
     let points = || series.iter().flat_map(|s| &s.points);
@@ -118,8 +118,8 @@ fn by_x(mut points: Vec<Point>) -> Vec<Point> {
     points
 }
 
-/// The sampled values of `quantity`. Orders from the third on are added up, their errors in quadrature.
-fn monte_carlo(quantity: CurveQuantity, orders: &[&OrdersRow]) -> Vec<Point> {
+/// The reference values of `quantity`. Orders from the third on are added up, their errors in quadrature.
+fn reference(quantity: CurveQuantity, orders: &[&OrdersRow]) -> Vec<Point> {
     let (medium, order) = match quantity {
         CurveQuantity::TMs | CurveQuantity::RMs => (Medium::Full, "total"),
         CurveQuantity::T0 => (Medium::Modified, "0"),
@@ -178,11 +178,11 @@ mod tests {
     #[test]
     fn later_orders_are_added_up() {
         let rows = ["0", "1", "2", "3", "tail", "total"].map(|order| row("0", order, 0.1));
-        let points = monte_carlo(CurveQuantity::R3Plus, &rows.iter().collect::<Vec<_>>());
+        let points = reference(CurveQuantity::R3Plus, &rows.iter().collect::<Vec<_>>());
         assert_eq!(points.len(), 1);
         assert!((points[0].y - 0.2).abs() < 1e-15 && (points[0].error - 3e-4 * 2f64.sqrt()).abs() < 1e-15);
         let rows = ["0", "1", "tail"].map(|order| row("0", order, 0.1));
-        assert!(monte_carlo(CurveQuantity::T3Plus, &rows.iter().collect::<Vec<_>>()).is_empty());
+        assert!(reference(CurveQuantity::T3Plus, &rows.iter().collect::<Vec<_>>()).is_empty());
     }
 
     #[test]

@@ -35,7 +35,7 @@ pub fn figure(inputs: &Inputs) -> Figure {
         name: "parameters".to_owned(),
         title: "Parameters of the one-dimensional model".to_owned(),
         caption:
-            "Parameters over the angle of incidence θ_{l}. Error bars are propagated from the Monte Carlo \
+            "Parameters over the angle of incidence θ_{l}. Error bars are propagated from the reference's \
                   covariance; most are smaller than the dots."
                 .to_owned(),
         legend,

@@ -13,7 +13,8 @@ struct Curve<'a> {
 pub fn figure(inputs: &Inputs) -> Figure {
     let curves = curves(inputs);
     let medium = &inputs.parameters.medium;
-    let theta_f = Mark { x: medium.theta_f_deg, label: format!("θ_{{f}} = {}°", medium.theta_f_deg) };
+    let theta_f =
+        Mark { x: medium.theta_f_deg, y: None, label: format!("θ_{{f}} = {}°", medium.theta_f_deg) };
     let whole = panel(&curves, "All scattering angles", 0.0, 180.0, vec![theta_f.clone()]);
     let forward = panel(&curves, "Forward peak", 0.0, 10.0, vec![theta_f]);
     let backward = panel(&curves, "Cloudbow and glory", 135.0, 180.0, Vec::new());

@@ -26,7 +26,7 @@ pub fn tables(inputs: &Inputs) -> Markup {
         (beta(inputs))
         div class="wide" {
             table {
-                caption { "Fitted value ± standard error" @if inputs.published.is_some() { "; tinted: published" } }
+                caption { "Fitted value ± " (inputs.parameters.provenance.error_name()) @if inputs.published.is_some() { "; tinted: published" } }
                 thead { (heading(inputs.published.is_some())) }
                 tbody { @for row in rows { (table_row(row, inputs, &used)) } }
             }

@@ -108,5 +108,8 @@ fn convergence(rows: &[ConvergenceRow]) -> Markup {
             }
         }
     };
-    table(&["estimator", "θ_{l} (°)", "τ", "order", "photons", "seconds", "error", "standard error"], &body)
+    table(
+        &["estimator", "θ_{l} (°)", "τ", "order", "photons or streams", "seconds", "error", "standard error"],
+        &body,
+    )
 }

@@ -35,7 +35,7 @@ const TERMS: [(&str, &str); 21] = [
         "κ_{c}, t, r",
         "extinction (1/m, or per τ) and the forward and backward coefficients of the model's orders 1 and 2",
     ),
-    ("±", "one standard error"),
+    ("±", "one standard error of what photons gave; the estimated largest error of what the solver gave"),
     ("rms", "root mean square over the thickness grid"),
 ];
 

@@ -1,9 +1,11 @@
 //! The page `report.html`: one file without scripts and without references to other files.
 
+mod agreement;
 mod appendix;
 mod details;
 mod flags;
 mod glossary;
+mod ladder;
 mod number;
 mod optics;
 mod provenance;
@@ -44,6 +46,16 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
                         (appendix::misfits(inputs))
                         (drawn(named("misfit")))
                     }
+                    section id="ladder" {
+                        h2 { "What each approximation loses" }
+                        (ladder::section(inputs.ladder.as_deref()))
+                        (drawn(named("ladder")))
+                    }
+                    section id="agreement" {
+                        h2 { "Solver against photons" }
+                        (agreement::section(inputs))
+                        (drawn(named("agreement")))
+                    }
                     section id="orders" { h2 { "Scattering orders" } (drawn(named("orders"))) }
                     section id="why" { h2 { @if inputs.published.is_some() { "Why the published table differs" } @else { "The modified medium" } } (why::section(inputs)) }
                     section id="optics" {
@@ -52,7 +64,7 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
                         (drawn(named("droplet")))
                         (drawn(named("phase")))
                     }
-                    section id="convergence" { h2 { "Convergence" } (drawn(named("convergence"))) (drawn(named("quadrature"))) }
+                    section id="convergence" { h2 { "Convergence" } (drawn(named("convergence"))) (drawn(named("solver-cost"))) (drawn(named("quadrature"))) }
                     section id="numbers" { h2 { "All numbers" } (details::tables(inputs)) }
                     section id="glossary" { h2 { "Symbols and units" } (glossary::list()) }
                     section id="provenance" { h2 { "Provenance" } (provenance::table(inputs)) }
@@ -64,9 +76,11 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
 }
 
 fn contents() -> Markup {
-    const SECTIONS: [(&str, &str); 9] = [
+    const SECTIONS: [(&str, &str); 11] = [
         ("#appendix", "Parameters"),
         ("#misfit", "Misfit"),
+        ("#ladder", "Ladder"),
+        ("#agreement", "Agreement"),
         ("#orders", "Scattering orders"),
         ("#why", "Medium and reasons"),
         ("#optics", "Optics"),

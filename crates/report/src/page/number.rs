@@ -1,8 +1,9 @@
 //! Numbers as text.
 
-/// Value ± standard error, to two digits of the error and at least four decimals of the value.
+/// Value ± error, to two digits of the error and at least four and at most nine decimals of the value.
 pub fn with_error(value: f64, std_error: Option<f64>) -> String {
     match std_error {
+        Some(error) if error > 0.0 && error < 5e-10 => signed(&format!("{value:.9} ± <1e-9")),
         Some(error) if error > 0.0 => {
             let decimals = (1.0 - libm::floor(libm::log10(error))).clamp(4.0, 9.0) as usize;
             signed(&format!("{value:.decimals$} ± {error:.decimals$}"))
@@ -50,6 +51,7 @@ mod tests {
     fn errors_set_the_digits() {
         assert_eq!(with_error(0.83891, Some(0.00123)), "0.8389 ± 0.0012");
         assert_eq!(with_error(0.9961234, Some(2.4e-6)), "0.9961234 ± 0.0000024");
+        assert_eq!(with_error(0.25, Some(2e-16)), "0.250000000 ± <1e−9");
         assert_eq!(with_error(-0.5, None), "−0.5000");
         assert_eq!(small(3.4e-7), "3.4e−7");
         assert_eq!(small(0.01234), "0.012");

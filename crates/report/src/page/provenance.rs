@@ -11,8 +11,8 @@ pub fn lead(inputs: &Inputs) -> Markup {
     let medium = &inputs.parameters.medium;
     html! {
         p {
-            "Light through a uniform layer of these droplets: reflectance and transmittance per scattering order from \
-             photon tracing at " (medium.wavelength_um) " µm, and the parameters of the one-dimensional model of \
+            "Light through a uniform layer of these droplets: reflectance and transmittance per scattering order from "
+            @if inputs.parameters.provenance.is_random() { "photon tracing" } @else { "the deterministic solver" } " at " (medium.wavelength_um) " µm, and the parameters of the one-dimensional model of \
              Bouthors, Neyret and Lefebvre (2006) fitted to them. Extinction convention: "
             strong { (medium.extinction_convention) } ", κ = " (number::fixed(medium.extinction_per_m, 5)) " per metre; \
              θ" sub { "f" } " = " (medium.theta_f_deg) "°."

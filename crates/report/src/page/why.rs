@@ -10,14 +10,15 @@ pub fn section(inputs: &Inputs) -> Markup {
         return html! { p { "No " code { "notes.json" } " in the folder, so no numbers to explain it." } };
     };
     let theta_f = inputs.parameters.medium.theta_f_deg;
+    let random = notes.provenance.is_random();
     if notes.published_shares.is_none() {
-        return html! { p { "No published table belongs to this cloud." } (bias(&notes.modified_bias)) };
+        return html! { p { "No published table belongs to this cloud." } (bias(&notes.modified_bias, random)) };
     }
     html! {
         p { "Published: " (notes.published_source) "." }
         (forward_peak(notes, theta_f))
         (tabulation(&notes.coarse_tabulation, theta_f))
-        (bias(&notes.modified_bias))
+        (bias(&notes.modified_bias, random))
         (worst(&notes.published_misfit))
     }
 }
@@ -89,15 +90,15 @@ fn tabulation(tables: &[CoarseTabulation], theta_f: f64) -> Markup {
     }
 }
 
-fn bias(rows: &[ModifiedBias]) -> Markup {
+fn bias(rows: &[ModifiedBias], random: bool) -> Markup {
     if rows.is_empty() {
         return html! {};
     }
     html! {
         h3 { "Bias of the modified medium" }
         p { "Light scattered by less than θ" sub { "f" } " is treated as unscattered in the orders. The total \
-             transmittance then differs from the full medium's; here the largest difference over all thicknesses, which chance alone \
-             makes two to three standard errors large." }
+             transmittance then differs from the full medium's; here the largest difference over all thicknesses"
+            @if random { ", which chance alone makes two to three standard errors large" } "." }
         div class="wide" {
             table {
                 thead { tr { th { "θ" sub { "l" } " (°)" } th { "H (m)" } th { "T full − T modified" } } }

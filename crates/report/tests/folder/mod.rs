@@ -50,11 +50,86 @@ pub fn write(dir: &Path) {
     write_phase(&dir.join("optics/sphere.csv"), 0.87, 0.8);
     write_csv(&dir.join("orders.csv"), &orders()).unwrap();
     write_csv(&dir.join("convergence.csv"), &convergence()).unwrap();
+    write_csv(&dir.join("solver_cost.csv"), &solver_cost()).unwrap();
     write_csv(&dir.join("optics/quadrature.csv"), &quadrature()).unwrap();
     write_json(&dir.join("parameters.json"), &parameters()).unwrap();
     write_csv(&dir.join("published.csv"), &published()).unwrap();
     write_csv(&dir.join("curves.csv"), &curves()).unwrap();
     write_json(&dir.join("notes.json"), &notes()).unwrap();
+    write_csv(&dir.join("ladder.csv"), &ladder()).unwrap();
+    let rows = agreement();
+    write_json(&dir.join("agreement.json"), &verdict(&rows)).unwrap();
+    write_csv(&dir.join("agreement.csv"), &rows).unwrap();
+}
+
+pub fn ladder() -> Vec<LadderRow> {
+    let mut rows = Vec::new();
+    for (i, rung) in ["solver", "monte-carlo", "model", "f32", "interpolation", "together"].iter().enumerate()
+    {
+        for angles in [LadderRow::TO_80, LadderRow::ALL] {
+            for (q, quantity) in LadderRow::QUANTITIES.iter().enumerate() {
+                let size = [1e-8, 5e-4, 4e-3, 1e-7, 2e-3, 5e-3][i] * (1.0 + 0.2 * q as f64);
+                rows.push(LadderRow {
+                    rung: (*rung).to_owned(),
+                    angles: angles.to_owned(),
+                    quantity: (*quantity).to_owned(),
+                    rms: Some(size),
+                    worst: Some(3.0 * size),
+                    worst_theta_l_deg: if q == 3 { "diffuse".to_owned() } else { "70".to_owned() },
+                    worst_tau: Some(2.5),
+                    points: 180,
+                    expected_rms: (i == 1).then_some(0.9 * size),
+                    note: String::new(),
+                });
+            }
+        }
+    }
+    rows.push(LadderRow {
+        rung: "shader".to_owned(),
+        angles: LadderRow::ALL.to_owned(),
+        quantity: String::new(),
+        rms: None,
+        worst: None,
+        worst_theta_l_deg: String::new(),
+        worst_tau: None,
+        points: 0,
+        expected_rms: None,
+        note: "not measured: no adapter".to_owned(),
+    });
+    rows
+}
+
+pub fn agreement() -> Vec<AgreementRow> {
+    let row = |theta: &str, parameter: &str, z: f64| AgreementRow {
+        theta_l_deg: theta.to_owned(),
+        parameter: parameter.to_owned(),
+        solved: 0.5,
+        solved_error: Some(1e-7),
+        traced: 0.5 - 1e-3 * z,
+        traced_std_error: Some(1e-3),
+        z: Some(z),
+        differs: false,
+    };
+    let mut rows = vec![row("all", "beta", 0.3)];
+    for (i, angle) in ["0", "45", "90", "diffuse"].iter().enumerate() {
+        for (q, parameter) in ["b", "c", "kappa_c", "t", "r"].iter().enumerate() {
+            rows.push(row(angle, parameter, 2.0 * noise(31 * i + q)));
+        }
+    }
+    rows
+}
+
+pub fn verdict(rows: &[AgreementRow]) -> AgreementDocument {
+    AgreementDocument {
+        schema: AgreementDocument::SCHEMA.to_owned(),
+        provenance: provenance(),
+        photons: 1000,
+        false_alarm_rate: 1e-4,
+        comparisons: rows.len() as u64,
+        threshold: 4.56,
+        differing: rows.iter().filter(|row| row.differs).count() as u64,
+        worst: rows[1].clone(),
+    }
 }
 
 pub fn provenance() -> Provenance {
@@ -281,6 +356,36 @@ pub fn convergence() -> Vec<ConvergenceRow> {
                     std_error,
                 });
             }
+        }
+    }
+    for (rung, streams) in [4, 8, 16, 32].into_iter().enumerate() {
+        rows.push(ConvergenceRow {
+            estimator: "solver".to_owned(),
+            theta_l_deg: 40.0,
+            tau: 5.0,
+            order: "total".to_owned(),
+            photons: streams,
+            seconds: 1e-6 * (streams * streams) as f64,
+            error: libm::pow(10.0, -2.0 - rung as f64),
+            std_error: libm::pow(10.0, -1.5 - rung as f64),
+        });
+    }
+    rows
+}
+
+pub fn solver_cost() -> Vec<SolverCostRow> {
+    let mut rows = Vec::new();
+    for (against, task) in ["streams", "tau", "thicknesses"].into_iter().zip(["first", "further", "orders"]) {
+        for exponent in 0..5 {
+            let count = 4 << exponent;
+            rows.push(SolverCostRow {
+                against: against.to_owned(),
+                task: task.to_owned(),
+                streams: count,
+                tau: 0.1 * count as f64,
+                thicknesses: count,
+                seconds: 1e-7 * (count * count) as f64,
+            });
         }
     }
     rows

@@ -1,18 +1,18 @@
 //! Scattering between streams, every Legendre moment included, whatever the number of streams.
 //!
 //! The azimuthally averaged redistribution p(μ,μ') = Σ(2l+1)χ_l P_l(μ)P_l(μ') acts on polynomials of degree
-//! < n in each hemisphere in √μ (Galerkin): K_kk' = Σ(2l+1)χ_l c_kl c_k'l over even or odd l, with c_kl =
-//! ∫₀¹φ_k P_l dμ. A usual discrete-ordinate code evaluates P_l at the nodes, must stop at l = 2n, and so
+//! < n in each hemisphere in y = μ^{1/q} (Galerkin): K_kk' = Σ(2l+1)χ_l c_kl c_k'l over even or odd l, with
+//! c_kl = ∫₀¹φ_k P_l dμ. A usual discrete-ordinate code evaluates P_l at the nodes, must stop at l = 2n, and so
 //! needs δ-M (Wiscombe 1977) for a peak. Here a peak narrower than the streams, even χ_l = 1 for all l,
 //! becomes the identity it is for smooth radiances: what δ-M approximates. K is the compression of an
 //! operator of norm ≤ 1, so the medium never creates light; and ∫P_l dμ = 0 for even l > 0 holds to
 //! rounding, so none is lost.
 //!
 //! c_kl follows from the recurrence of P_l, (l+1)P_{l+1} = (2l+1)μP_l - lP_{l-1}, in the basis φ_k, where μ
-//! = y² is the tridiagonal matrix of y applied twice.
+//! = y^q is the tridiagonal matrix of y applied q times.
 
 use super::matrix::{Matrix, add_scaled};
-use super::quadrature::{Streams, legendre_row, recurrence};
+use super::quadrature::{POWER, Streams, legendre_row, recurrence};
 
 /// Moments and their compression to at most `size` polynomials per hemisphere.
 #[derive(Clone, Debug)]
@@ -38,11 +38,6 @@ impl Kernel {
         }
         let [even, odd] = parity;
         Self { moments, projections, even, odd }
-    }
-
-    /// Largest number of streams served.
-    pub(crate) fn size(&self) -> usize {
-        self.even.size()
     }
 
     /// W^{1/2} p W^{1/2} between streams, for even and odd l.
@@ -73,21 +68,26 @@ impl Kernel {
 
 /// c_kl for l < `count`, k < `size`.
 fn projections(count: usize, size: usize) -> Vec<f64> {
-    let width = size + 2 * count + 4;
+    let width = size + POWER * (count + 2);
     let coefficients: Vec<(f64, f64)> =
         (0..=width).map(recurrence).map(|(a, b)| (0.5 * (1.0 + a), 0.5 * b)).collect();
-    let (mut before, mut now, mut half) = (vec![0.0; width], vec![0.0; width], vec![0.0; width]);
+    let mut before = vec![0.0; width];
+    let (mut now, mut left, mut right) = (before.clone(), before.clone(), before.clone());
     now[0] = 1.0;
     let mut table = Vec::with_capacity(count * size);
     for l in 0..count {
         table.extend_from_slice(&now[..size]);
-        // Beyond k = 2l all is zero; beyond size + 2(count - l) nothing is asked for.
-        let last = (2 * l + 4).min(size + 2 * (count - l));
-        times_y(&coefficients, &now, &mut half, last);
+        // Beyond k = ql all is zero; beyond size + q(count - l) nothing is asked for.
+        let last = (POWER * (l + 2)).min(size + POWER * (count - l));
+        times_y(&coefficients, &now, &mut left, last);
+        for _ in 2..POWER {
+            times_y(&coefficients, &left, &mut right, last);
+            std::mem::swap(&mut left, &mut right);
+        }
         let (up, down) = ((2 * l + 1) as f64 / (l + 1) as f64, l as f64 / (l + 1) as f64);
         // P_{l-1} makes room for P_{l+1}.
         before.iter_mut().for_each(|value| *value *= -down);
-        add_times_y(&coefficients, &half, &mut before, last, up);
+        add_times_y(&coefficients, &left, &mut before, last, up);
         std::mem::swap(&mut before, &mut now);
     }
     table
@@ -112,12 +112,12 @@ fn add_times_y(coefficients: &[(f64, f64)], of: &[f64], result: &mut [f64], last
 mod tests {
     use super::*;
 
-    /// Against the rule itself, with enough points to be exact: √w_i φ_k(y_i) times √w_i P_l(y_i²), summed.
+    /// Against the rule itself, with enough points to be exact: √w_i φ_k(y_i) times √w_i P_l(y_i^q), summed.
     #[test]
     fn the_recurrence_gives_the_integrals() {
         let (count, size) = (200, 20);
         let table = projections(count, size);
-        let streams = Streams::new(count + size);
+        let streams = Streams::new((POWER * count + size) / 2 + 1);
         let mut by_quadrature = vec![0.0; count * size];
         let mut p = vec![0.0; count];
         for (i, mu) in streams.mu.iter().enumerate() {
@@ -140,7 +140,7 @@ mod tests {
             for j in 0..6 {
                 let expected = if i == j { 1.0 } else { 0.0 };
                 let found = 0.5 * (even[(i, j)] + odd[(i, j)]);
-                assert!((found - expected).abs() < 0.05, "{i} {j}: {found}");
+                assert!((found - expected).abs() < 0.1, "{i} {j}: {found}");
             }
         }
     }

@@ -10,7 +10,8 @@
 //! - *Every moment counts with any number of streams*: the phase function is projected on half-range
 //!   polynomials (`kernel`) instead of sampled. δ-M is the limit of this for a peak narrower than all
 //!   streams: no truncation is chosen.
-//! - *Streams are Gauss points in √μ* (`quadrature`), which resolves the singularities at grazing.
+//! - *Streams are Gauss points in the cube root of μ* (`quadrature`), which resolves the singularities at
+//!   grazing and, at μ0 = 0, slabs down to τ = 1e-6.
 //!
 //! Streams are added until the results agree (`solver`); the error reported is the last change. Fluxes
 //! need the azimuthal mean only. Units: reflectance and transmittance per incident flux; τ of the full

@@ -24,7 +24,7 @@ impl Solved {
         orders: Vec<Order>,
         (rows, streams): (Vec<(f64, f64)>, usize),
     ) -> Self {
-        let (tau, incidence, moments) = (tau.to_vec(), incidence.to_vec(), solver.moment_count());
+        let (tau, incidence, moments) = (tau.to_vec(), incidence.to_vec(), solver.moments().len());
         Self { tau, incidence, orders, rows, streams, moments }
     }
 

@@ -2,8 +2,10 @@
 //!
 //! The half-range rule converges algebraically (radiances have a μ ln μ at grazing), so the difference of
 //! two rungs bounds the error of the upper one. The error reported is that difference, or a quarter of the
-//! one before if that is larger (rungs may agree by chance), and what the neglected moments could add. A
-//! tolerance the last rung does not meet is an error that says what was reached.
+//! one before if that is larger (rungs may agree by chance), and what the neglected moments could add. The
+//! first rungs agree by chance too often: no answer comes from fewer than 24 streams. In thin slabs the rungs
+//! converge irregularly until they resolve μ ~ τ, and four times the difference is reported. A tolerance the
+//! last rung does not meet is an error that says what was reached.
 
 use super::kernel::Kernel;
 use super::medium::SolveMedium;
@@ -14,19 +16,29 @@ use super::solved::Solved;
 use crate::TransportError;
 use rayon::prelude::*;
 use std::borrow::Cow;
+use std::sync::OnceLock;
 use stratiform_quantities::{Incidence, OpticalThickness, Order, Range};
 
 /// Streams per hemisphere.
-const LADDER: [usize; 9] = [8, 12, 16, 24, 32, 48, 64, 96, 128];
+const LADDER: [usize; 8] = [12, 16, 24, 32, 48, 64, 96, 128];
 
-/// Rungs served by the first, smaller kernel.
-const FIRST_SIZE: usize = 32;
+/// Streams that the kernels serve; larger ones are prepared when they are first needed.
+const SIZES: [usize; 3] = [32, 64, 128];
+
+/// Streams that can be asked for.
+const STREAMS: Range = Range::closed(1.0, 128.0);
 
 /// Numbers of orders listed.
 const ORDERS: Range = Range::closed(0.0, 60.0);
 
 /// Tolerances that double precision can meet.
 const TOLERANCE: Range = Range { max_included: false, ..Range::closed(1e-12, 1.0) };
+
+/// Slabs thinner than this converge irregularly.
+const THIN: f64 = 0.1;
+
+/// What rounding in the eigenproblem may leave in a flux.
+const ROUNDING: f64 = 5e-13;
 
 /// A medium with its scattering kernel, ready for any thicknesses and incidences.
 #[derive(Clone)]
@@ -36,7 +48,9 @@ pub struct Solver {
     /// What neglected moments could add.
     neglected: f64,
     tolerance: f64,
-    kernel: Kernel,
+    kernels: [OnceLock<Kernel>; SIZES.len()],
+    /// Of the ladder's rungs, kept because they serve every slab.
+    modes: [OnceLock<Modes>; LADDER.len()],
 }
 
 impl Solver {
@@ -47,13 +61,41 @@ impl Solver {
     pub fn new(medium: SolveMedium, tolerance: f64) -> Result<Self, TransportError> {
         TOLERANCE.check("tolerance", tolerance)?;
         let (moments, neglected) = medium.moments(tolerance);
-        let kernel = Kernel::new(moments.clone(), FIRST_SIZE);
-        Ok(Self { medium, moments, neglected, tolerance, kernel })
+        let solver = Self {
+            medium,
+            moments,
+            neglected,
+            tolerance,
+            kernels: Default::default(),
+            modes: Default::default(),
+        };
+        solver.kernel(SIZES[0]);
+        Ok(solver)
+    }
+
+    /// The smallest kernel that serves `count` streams.
+    fn kernel(&self, count: usize) -> &Kernel {
+        let place = SIZES.iter().take_while(|size| **size < count).count();
+        self.kernels[place].get_or_init(|| Kernel::new(self.moments.clone(), SIZES[place]))
     }
 
     /// The medium.
     pub fn medium(&self) -> &SolveMedium {
         &self.medium
+    }
+
+    /// The same without the modes that were kept, for measuring what they cost.
+    pub fn unsolved(&self) -> Self {
+        Self { modes: Default::default(), ..self.clone() }
+    }
+
+    /// The modes for `count` streams.
+    fn modes(&self, count: usize) -> Cow<'_, Modes> {
+        let fresh = || Modes::new(self.kernel(count), count, self.medium.albedo);
+        match LADDER.iter().position(|rung| *rung == count) {
+            Some(place) => Cow::Borrowed(self.modes[place].get_or_init(fresh)),
+            None => Cow::Owned(fresh()),
+        }
     }
 
     /// Total reflectance and transmittance for every thickness and incidence.
@@ -63,8 +105,27 @@ impl Solver {
     /// [`TransportError::Tolerance`] if 128 streams do not suffice.
     pub fn totals(&self, tau: &[f64], incidence: &[Incidence]) -> Result<Solved, TransportError> {
         check(tau, incidence)?;
-        let rows = |kernel: &Kernel, count: usize| self.rung(kernel, count, tau, incidence);
-        Ok(Solved::new(self, (tau, incidence), vec![Order::Total], self.climb(rows)?))
+        let rows = |count: usize| self.rung(count, tau, incidence);
+        let solved = self.climb(rows, |row| self.caution(tau, row / 2))?;
+        Ok(Solved::new(self, (tau, incidence), vec![Order::Total], solved))
+    }
+
+    /// Total reflectance and transmittance with `streams` per hemisphere, whatever their error: thicknesses
+    /// inside incidences. For studies of convergence.
+    ///
+    /// # Errors
+    /// [`TransportError::Domain`] for τ or unless 1 ≤ `streams` ≤ 128; [`TransportError::NoThickness`],
+    /// [`TransportError::NoIncidence`].
+    pub fn totals_with_streams(
+        &self,
+        streams: usize,
+        tau: &[f64],
+        incidence: &[Incidence],
+    ) -> Result<Vec<(f64, f64)>, TransportError> {
+        check(tau, incidence)?;
+        STREAMS.check("streams", streams as f64)?;
+        let values = self.rung(streams, tau, incidence);
+        Ok(values.chunks(2).map(|pair| (pair[0], pair[1])).collect())
     }
 
     /// Orders 0…`max_order`, tail and total for every thickness and incidence; the tail is the total less
@@ -80,34 +141,40 @@ impl Solver {
     ) -> Result<Solved, TransportError> {
         check(tau, incidence)?;
         ORDERS.check("orders", f64::from(max_order))?;
-        let rows = |kernel: &Kernel, count: usize| {
-            let totals = self.rung(kernel, count, tau, incidence);
-            let orders = self.order_rung(kernel, count, tau, incidence, max_order as usize);
+        let rows = |count: usize| {
+            let totals = self.rung(count, tau, incidence);
+            let orders = self.order_rung(count, tau, incidence, max_order as usize);
             with_tails(&orders, &totals)
         };
-        Ok(Solved::new(self, (tau, incidence), Order::rows(max_order).collect(), self.climb(rows)?))
+        let listed: Vec<Order> = Order::rows(max_order).collect();
+        let solved = self.climb(rows, |row| self.caution(tau, row / 2 / listed.len()))?;
+        Ok(Solved::new(self, (tau, incidence), listed, solved))
     }
 
-    pub(crate) fn moment_count(&self) -> usize {
-        self.moments.len()
+    /// How many times the usual error counts for the slab of row `place`, thicknesses inside incidences.
+    fn caution(&self, tau: &[f64], place: usize) -> f64 {
+        if tau[place % tau.len()] * self.medium.extinction < THIN { 4.0 } else { 1.0 }
     }
 
-    /// Values with their errors, from the first rung that agrees with the one below.
-    pub(crate) fn climb(
+    /// Legendre moments used.
+    pub fn moments(&self) -> &[f64] {
+        &self.moments
+    }
+
+    /// Values with their errors, from the first rung that agrees with the one below; a row's error counts
+    /// `caution` times.
+    fn climb(
         &self,
-        rung: impl Fn(&Kernel, usize) -> Vec<f64>,
+        rung: impl Fn(usize) -> Vec<f64>,
+        caution: impl Fn(usize) -> f64,
     ) -> Result<(Vec<(f64, f64)>, usize), TransportError> {
-        let mut kernel = Cow::Borrowed(&self.kernel);
         let mut rungs: Vec<Vec<f64>> = Vec::new();
         let mut reached = f64::INFINITY;
         for count in LADDER {
-            if count > kernel.size() {
-                kernel = Cow::Owned(Kernel::new(self.moments.clone(), LADDER[LADDER.len() - 1]));
-            }
-            rungs.push(rung(&kernel, count));
+            rungs.push(rung(count));
             let [.., first, second, third] = rungs.as_slice() else { continue };
             let errors: Vec<f64> =
-                (0..third.len()).map(|i| self.error(first[i], second[i], third[i])).collect();
+                (0..third.len()).map(|i| caution(i) * self.error(first[i], second[i], third[i])).collect();
             let worst = errors.iter().fold(0.0_f64, |worst, error| worst.max(*error));
             if worst <= self.tolerance {
                 return Ok((third.iter().copied().zip(errors).collect(), count));
@@ -127,17 +194,12 @@ impl Solver {
             return f64::EPSILON;
         }
         // A phase function that is no probability may break down: that is no answer.
-        if third.is_finite() && step.is_finite() {
-            step + self.neglected + f64::EPSILON
-        } else {
-            f64::INFINITY
-        }
+        if third.is_finite() && step.is_finite() { step + self.neglected + ROUNDING } else { f64::INFINITY }
     }
 
     /// Orders with `count` streams, a list for each incidence and thickness inside it.
     fn order_rung(
         &self,
-        kernel: &Kernel,
         count: usize,
         tau: &[f64],
         incidence: &[Incidence],
@@ -145,6 +207,7 @@ impl Solver {
     ) -> Vec<Vec<Pair>> {
         // Depth is refined along with angle, so that the ladder sees both errors.
         let intervals = 6 + LADDER.iter().take_while(|rung| **rung < count).count();
+        let kernel = self.kernel(count);
         let orders = Orders::new(kernel, count, intervals, self.medium.albedo, max_order);
         let view = |incidence: &Incidence| match incidence {
             Incidence::Diffuse => None,
@@ -157,8 +220,8 @@ impl Solver {
     }
 
     /// R and T with `count` streams: incidences outside, thicknesses inside.
-    fn rung(&self, kernel: &Kernel, count: usize, tau: &[f64], incidence: &[Incidence]) -> Vec<f64> {
-        let modes = Modes::new(kernel, count, self.medium.albedo);
+    fn rung(&self, count: usize, tau: &[f64], incidence: &[Incidence]) -> Vec<f64> {
+        let (kernel, modes) = (self.kernel(count), self.modes(count));
         let directions: Vec<Option<Direction>> = incidence
             .iter()
             .map(|incidence| match incidence {

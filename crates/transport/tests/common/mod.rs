@@ -4,12 +4,14 @@
 #![allow(clippy::unwrap_used, reason = "a test stops where it fails")]
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::path::Path;
 use std::sync::Arc;
 use stratiform_optics::phase::{HenyeyGreenstein, Isotropic, Modified, Norm, PhaseFunction, PhaseTable};
 use stratiform_quantities::{Asymmetry, Incidence, Order, SingleScatteringAlbedo};
 use stratiform_stats::{Estimate, family_threshold, z_score};
 use stratiform_transport::{Control, Stop, TraceMedium, TraceRequest, Traced, trace_half_space, trace_plain};
 
+pub mod agreement;
 pub mod published;
 
 pub fn hg(g: f64) -> Arc<dyn PhaseFunction> {
@@ -31,7 +33,7 @@ pub fn modified(phase: Arc<dyn PhaseFunction>, omega: f64, forward_fraction: f64
 /// The paper's cloud at 0.55 µm as accepted in fit-configs.
 pub fn cloud() -> Arc<dyn PhaseFunction> {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/accepted/phase_full.csv");
-    Arc::new(PhaseTable::read(std::path::Path::new(file), Norm::Strict).unwrap())
+    Arc::new(PhaseTable::read(Path::new(file), Norm::Strict).unwrap())
 }
 
 /// The cloud's modified medium, θ_f = 5°.

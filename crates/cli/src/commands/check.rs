@@ -1,0 +1,132 @@
+//! `stratiform check`: from what was typed to what is printed and written.
+
+use crate::CliError;
+use crate::args::CheckArgs;
+use crate::check::config::TracerConfig;
+use crate::check::{Part, Verdict, counts, model, report, tracer, values};
+use crate::config::Config;
+use crate::output::{Data, Talk};
+use crate::pipeline::{self, optics::Cloud, reference::Media};
+use std::path::{Path, PathBuf};
+use stratiform_artifact::{Provenance, hash_of, to_csv, write_atomic, write_csv};
+use stratiform_reference_data::sha256;
+
+const METHOD: &str = "truth by discrete ordinates; photons by half-space Monte Carlo";
+
+/// Runs the command.
+///
+/// # Errors
+/// [`CliError::Unmet`], with the result, if something is out of bounds; [`CliError`] of bad input.
+pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
+    let mut config = Config::load(&args.config)?;
+    if let Some(file) = &args.store_counts {
+        return store_counts(&mut config, args, file, talk);
+    }
+    override_tracer(&mut config, args)?;
+    can_be_written(args)?;
+    let cloud = cloud(&config)?;
+    if let Some(file) = &args.points {
+        write_csv(file, &values::points(&config, &cloud.tau(&config)))?;
+        return Ok(format!("{}\n", file.display()));
+    }
+    let verdict = match &args.values {
+        Some(file) => {
+            let judged = values::check(&config, &Media::new(&config, &cloud)?, file)?;
+            Verdict { parts: [(Part::Values, judged)].into() }
+        }
+        None => own(&config, args, &cloud, talk)?,
+    };
+    render(&config, args, &verdict)
+}
+
+/// Looks for the folders of what is to be written before any work is done.
+fn can_be_written(args: &CheckArgs) -> Result<(), CliError> {
+    let files = [&args.junit, &args.markdown, &args.points].into_iter().flatten();
+    let folder = |file: &Path| file.parent().filter(|p| *p != Path::new("")).map(Path::to_owned);
+    match files.filter_map(|file| folder(file)).find(|folder| !folder.is_dir()) {
+        Some(folder) => {
+            Err(CliError::Input(format!("cannot write to {}: it is no folder", folder.display())))
+        }
+        None => Ok(()),
+    }
+}
+
+/// The cloud at the wavelength of the transport: the others are not needed.
+fn cloud(config: &Config) -> Result<Cloud, CliError> {
+    let mut config = config.clone();
+    config.optics.wavelengths_um = vec![config.transport.wavelength_um];
+    pipeline::optics::at_transport_wavelength(&config)
+}
+
+/// A path of the config, which is relative to its folder.
+fn beside(args: &CheckArgs, path: &str) -> PathBuf {
+    args.config.parent().unwrap_or(Path::new("")).join(path)
+}
+
+/// The table and the tracer of this project.
+fn own(config: &Config, args: &CheckArgs, cloud: &Cloud, talk: Talk) -> Result<Verdict, CliError> {
+    let media = Media::new(config, cloud)?;
+    let table = pipeline::accepted::read(&beside(args, &config.codegen.accepted))?.parameters;
+    let truth = model::ModelTruth::solve(config, cloud, &media)?;
+    let mut verdict = Verdict::default();
+    verdict.parts.insert(Part::Model, truth.compare(config, &table)?);
+    match &config.check.tracer {
+        Some(section) => {
+            let file = beside(args, &section.counts);
+            verdict.parts.insert(Part::Tracer, tracer::check(config, cloud, section, &file, talk)?);
+        }
+        None => talk.say("tracer: left out (no section [check.tracer])"),
+    }
+    Ok(verdict)
+}
+
+fn render(config: &Config, args: &CheckArgs, verdict: &Verdict) -> Result<Data, CliError> {
+    let junit = report::to_junit(verdict, args.worst)?;
+    let markdown = report::to_markdown(verdict, &config.title, args.worst);
+    let data = if args.json {
+        let seed = config.check.tracer.as_ref().filter(|_| args.values.is_none()).map(|tracer| tracer.seed);
+        let provenance = Provenance::new(hash_of(config), seed, METHOD);
+        report::to_json(verdict, &provenance, args.worst)?
+    } else {
+        report::to_text(verdict, args.worst)
+    };
+    for (file, text) in [(&args.junit, &junit), (&args.markdown, &markdown)] {
+        if let Some(file) = file {
+            write_atomic(file, text.as_bytes())?;
+        }
+    }
+    if verdict.passes() {
+        Ok(data)
+    } else {
+        Err(CliError::Unmet { message: report::headline(verdict), data })
+    }
+}
+
+fn override_tracer(config: &mut Config, args: &CheckArgs) -> Result<(), CliError> {
+    if args.photons.is_none() && args.seed.is_none() {
+        return Ok(());
+    }
+    let tracer = tracer_section(config, &args.config)?;
+    tracer.photons = args.photons.unwrap_or(tracer.photons);
+    tracer.seed = args.seed.unwrap_or(tracer.seed);
+    config.check_again()
+}
+
+fn tracer_section<'a>(config: &'a mut Config, path: &Path) -> Result<&'a mut TracerConfig, CliError> {
+    let message = format!("{}: the section [check.tracer] is missing", path.display());
+    config.check.tracer.as_mut().ok_or(CliError::Input(message))
+}
+
+fn store_counts(config: &mut Config, args: &CheckArgs, file: &Path, talk: Talk) -> Result<Data, CliError> {
+    let tracer = tracer_section(config, &args.config)?;
+    tracer.stored_photons = args.photons.unwrap_or(tracer.stored_photons);
+    tracer.stored_seed = args.seed.unwrap_or(tracer.stored_seed);
+    let tracer = tracer.clone();
+    config.check_again()?;
+    let cloud = cloud(config)?;
+    let rows = counts::trace(config, &cloud, &tracer, tracer.stored_photons, tracer.stored_seed, talk)?;
+    let text = to_csv(&rows)?;
+    write_atomic(file, text.as_bytes())?;
+    talk.say(format!("SHA-256 for SOURCE.toml: {}", sha256(text.as_bytes())));
+    Ok(format!("{}\n", file.display()))
+}
