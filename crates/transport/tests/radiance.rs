@@ -74,7 +74,7 @@ fn flux(medium: &SolveMedium, tau: f64, mu0: f64, azimuths: u32, tolerance: f64)
 
 /// Orders 1 and 2 and the scattered total, integrated over each hemisphere, are R_n and T_n of the flux solver.
 fn assert_fluxes(name: &str, medium: &SolveMedium, (tau, mu0): (f64, f64), azimuths: u32, allowed: f64) {
-    let found = flux(medium, tau, mu0, azimuths, allowed);
+    let found = flux(medium, tau, mu0, azimuths, 3.0 * allowed);
     let expected = Solver::new(medium.clone(), 1e-7).unwrap().orders(&[tau], &[beam(mu0)], 2).unwrap();
     let place = |order: Order| expected.orders().iter().position(|other| *other == order).unwrap();
     let unscattered = expected.estimate(0, 0, 0).1.value;
@@ -93,7 +93,7 @@ fn hemispheres_hold_the_fluxes_of_smooth_functions() {
     assert_fluxes("rayleigh", &medium(Arc::new(Rayleigh), 1.0), (0.3, 0.3), 4, 2e-6);
 }
 
-/// Rules of order 2 are looser for the cloud, whose table has kinks at its nodes.
+/// Below μ = 0.005 the full cloud's radiances reach 3e-3 only.
 #[test]
 fn hemispheres_hold_the_fluxes_of_peaked_functions() {
     assert_fluxes("hg 0.85", &medium(hg(0.85), 1.0), (3.0, 1.0), 1, 1e-5);
