@@ -20,8 +20,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Points per panel: a rule is held against the one before.
 pub(super) const POINTS: [usize; 6] = [4, 6, 9, 14, 21, 32];
 
-/// Widest panel: a rainbow is resolved.
+/// Widest panel of a phase function with a peak: a rainbow is resolved.
 const WIDEST: f64 = PI / 18.0;
+
+/// The same of one without.
+const WIDEST_SMOOTH: f64 = PI / 4.0;
+
+/// Half-widths below this make a peak.
+const PEAK: f64 = 0.2;
 
 /// Width of the panels at the horizon.
 const HORIZON: f64 = 1e-3;
@@ -53,7 +59,7 @@ struct Peak {
 
 impl Pairing {
     pub(super) fn new(phase: &Phase, geometry: &Geometry, points: usize) -> Self {
-        let rule = Rule::new(points, WIDEST);
+        let rule = Rule::new(points, if phase.peak < PEAK { WIDEST } else { WIDEST_SMOOTH });
         let (sun, view) = (libm::acos(geometry.mu0), geometry.travel());
         let ends = [(sun, 0.0), (view, geometry.phi)];
         let mut peaks: Vec<Peak> =

@@ -1,7 +1,8 @@
 //! The medium as the solver sees it, and δ-M scaling (Wiscombe 1977).
 //!
 //! With f = χ_L, the first moment left to others, a share f of all events counts as no scattering: τ' = (1-ωf)τ, ω' =
-//! ω(1-f)/(1-ωf), χ_l' = (χ_l-f)/(1-f). f may be negative (the modified phase function has a hole forward).
+//! ω(1-f)/(1-ωf), χ_l' = (χ_l-f)/(1-f). A phase function with a hole forward (the modified
+//! one) has no such share: f = 0, so that its rim keeps its place in orders 1 and 2.
 //!
 //! L = 3n/2 for n streams per hemisphere. DISORT takes 2n, but a rule of n points mixes up functions whose degrees add up to
 //! 2n or more; what L leaves out is known well from elsewhere (`double`, `narrow`), and with L = 2n the aureole of the paper's
@@ -28,11 +29,11 @@ impl Scaled {
         Self { forward: 0.0, extinction, albedo, moments: Vec::new() }
     }
 
-    /// For `streams` per hemisphere; `chi` has more than 3/2 of that many moments.
-    pub(super) fn new(medium: &SolveMedium, chi: &[f64], streams: usize) -> Self {
+    /// For `streams` per hemisphere, with a `hole` forward or not; `chi` has more than 3/2 of that many moments.
+    pub(super) fn new(medium: &SolveMedium, chi: &[f64], streams: usize, hole: bool) -> Self {
         let resolved = 3 * streams / 2;
         // A forward delta is all peak.
-        let forward = chi[resolved].min(1.0 - 1e-12);
+        let forward = if hole { 0.0 } else { chi[resolved].min(1.0 - 1e-12) };
         let kept = 1.0 - forward;
         let scale = 1.0 - medium.albedo * forward;
         let moments = chi[..resolved].iter().map(|chi| (chi - forward) / kept).collect();

@@ -159,7 +159,7 @@ impl RadianceSolver {
 
     /// Totals with `count` streams; errors are those of order 2.
     fn rung(&self, phase: &Phase, request: &Request, rules: &[Vec<Rules>], count: usize) -> Vec<Estimate> {
-        let medium = Scaled::new(&self.medium, &self.chi, count);
+        let medium = Scaled::new(&self.medium, &self.chi, count, phase.edge.is_some());
         let rest = beyond_twice(&medium, count, request, self.tolerance);
         let second = twice(&medium, phase, request, rules);
         request
