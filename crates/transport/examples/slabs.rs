@@ -43,14 +43,8 @@ fn moments(phase: &str) -> Vec<f64> {
 }
 
 fn deirmendjian() -> Vec<f64> {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../reference-data/deirmendjian-c1/moments.csv");
-    let text = std::fs::read_to_string(file).unwrap();
-    let number = |field: &str| field.parse::<f64>().unwrap();
-    let row = |line: &str| {
-        let (l, beta) = line.split_once(',').unwrap();
-        number(beta) / (2.0 * number(l) + 1.0)
-    };
-    text.lines().skip(1).map(row).collect()
+    let rows: Vec<(f64, f64)> = stratiform_reference_data::rows("deirmendjian-c1", "moments.csv").unwrap();
+    rows.iter().map(|(l, beta)| beta / (2.0 * l + 1.0)).collect()
 }
 
 /// The moments that fluxes to 1e-6 need.
