@@ -111,3 +111,26 @@ fn legendre_sum(moments: impl Iterator<Item = f64>, x: f64) -> f64 {
     }
     sum
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turns_are_the_integral() {
+        for (a, s) in [(0.3, 0.5), (-0.8, 4.0), (-0.2, 900.0), (1e-3, 2.0)] {
+            let mut sum = 0.0;
+            let f = |x: f64| libm::exp(-x) * (libm::exp(a * x) - 1.0 - a * x);
+            Rule::new(12, 0.5).visit(0.0, f64::min(s, 60.0), &[], |x, weight| sum += weight * f(x));
+            assert!((turned(a, s) - sum).abs() < 1e-13, "{a} {s}: {:e}", turned(a, s) - sum);
+        }
+    }
+
+    #[test]
+    fn both_forms_of_the_rest_meet() {
+        for y in [-0.1, 0.1] {
+            let (series, closed) = (beyond_second(0.999_999_999_9 * y), beyond_second(1.000_000_000_1 * y));
+            assert!((series / closed - 1.0).abs() < 1e-9, "{y}");
+        }
+    }
+}
