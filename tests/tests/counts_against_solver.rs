@@ -41,7 +41,7 @@ fn pairs(rows: &[CountRow], medium: Medium, tolerance: f64) -> Vec<(String, Hits
 /// The p-value with the solver's error given away.
 fn p_value(hits: Hits, truth: Estimate) -> f64 {
     let nearest = hits.share().clamp(truth.value - truth.std_error, truth.value + truth.std_error);
-    p_value_of_share(hits, nearest.clamp(0.0, 1.0))
+    p_value_of_share(hits, nearest.clamp(0.0, 1.0)).unwrap()
 }
 
 #[test]

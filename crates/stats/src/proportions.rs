@@ -24,15 +24,26 @@ impl Hits {
 }
 
 /// A bound of the two-sided p-value of `sample`, if each trial hits with probability `p`.
-pub fn p_value_of_share(sample: Hits, p: f64) -> f64 {
+///
+/// `None` if there are no trials, fewer than hits, or `p` is no probability.
+pub fn p_value_of_share(sample: Hits, p: f64) -> Option<f64> {
+    if sample.trials == 0 || sample.hits > sample.trials || !(0.0..=1.0).contains(&p) {
+        return None;
+    }
     let exponent = sample.trials as f64 * relative_entropy(sample.share(), p);
-    (2.0 * libm::exp(-exponent)).min(1.0)
+    Some((2.0 * libm::exp(-exponent)).min(1.0))
 }
 
 /// A bound of the two-sided p-value of two samples, if the probability of a hit is the same in both.
-pub fn p_value_of_two(a: Hits, b: Hits) -> f64 {
+///
+/// `None` if one of them has no trials, or fewer than hits.
+pub fn p_value_of_two(a: Hits, b: Hits) -> Option<f64> {
+    let (smaller, larger) = if a.trials <= b.trials { (a, b) } else { (b, a) };
+    if smaller.trials == 0 || larger.hits > larger.trials {
+        return None;
+    }
     let both = Hits { hits: a.hits + b.hits, trials: a.trials + b.trials };
-    p_value_of_share(if a.trials <= b.trials { a } else { b }, both.share())
+    p_value_of_share(smaller, both.share())
 }
 
 /// D(x‖p) = x ln(x/p) + (1-x) ln((1-x)/(1-p)).
@@ -56,20 +67,31 @@ mod tests {
     /// P(no hit in n) = (1-p)^n, and of all n = p^n: the one-sided bound is exact there.
     #[test]
     fn the_bound_is_exact_where_nothing_or_everything_hits() {
-        let none = p_value_of_share(Hits { hits: 0, trials: 20 }, 0.3);
+        let none = p_value_of_share(Hits { hits: 0, trials: 20 }, 0.3).unwrap();
         assert!((none - 2.0 * libm::pow(0.7, 20.0)).abs() < 1e-15);
-        let all = p_value_of_share(Hits { hits: 20, trials: 20 }, 0.3);
+        let all = p_value_of_share(Hits { hits: 20, trials: 20 }, 0.3).unwrap();
         assert!((all / (2.0 * libm::pow(0.3, 20.0)) - 1.0).abs() < 1e-12);
     }
 
     #[test]
     fn equals_agree_and_what_cannot_be_does_not() {
         let same = Hits { hits: 250, trials: 1000 };
-        assert_eq!(p_value_of_share(same, 0.25), 1.0);
-        assert_eq!(p_value_of_two(same, Hits { hits: 25_000, trials: 100_000 }), 1.0);
-        assert_eq!(p_value_of_two(Hits { hits: 0, trials: 9 }, Hits { hits: 0, trials: 99 }), 1.0);
-        assert_eq!(p_value_of_share(Hits { hits: 1, trials: 1000 }, 0.0), 0.0);
-        assert_eq!(p_value_of_share(Hits { hits: 999, trials: 1000 }, 1.0), 0.0);
+        assert_eq!(p_value_of_share(same, 0.25).unwrap(), 1.0);
+        assert_eq!(p_value_of_two(same, Hits { hits: 25_000, trials: 100_000 }).unwrap(), 1.0);
+        assert_eq!(p_value_of_two(Hits { hits: 0, trials: 9 }, Hits { hits: 0, trials: 99 }).unwrap(), 1.0);
+        assert_eq!(p_value_of_share(Hits { hits: 1, trials: 1000 }, 0.0).unwrap(), 0.0);
+        assert_eq!(p_value_of_share(Hits { hits: 999, trials: 1000 }, 1.0).unwrap(), 0.0);
+    }
+
+    #[test]
+    fn what_is_no_sample_is_refused() {
+        let sound = Hits { hits: 3, trials: 9 };
+        for (hits, trials) in [(0, 0), (10, 9)] {
+            assert_eq!(p_value_of_share(Hits { hits, trials }, 0.5), None);
+            assert_eq!(p_value_of_two(Hits { hits, trials }, sound), None);
+            assert_eq!(p_value_of_two(sound, Hits { hits, trials }), None);
+        }
+        assert!([f64::NAN, -0.1, 1.1].into_iter().all(|p| p_value_of_share(sound, p).is_none()));
     }
 
     /// 2000 pairs of each kind that agree, at α = 0.05: at most 100 alarms expected (the bound is no equality), 140 are four
@@ -80,7 +102,7 @@ mod tests {
             let alarms = (0..2000_u64)
                 .filter(|i| {
                     let index = 10_000 * kind as u64 + 2 * i;
-                    p_value_of_two(draw(index, p, 300), draw(index + 1, p, 3000)) < 0.05
+                    p_value_of_two(draw(index, p, 300), draw(index + 1, p, 3000)).unwrap() < 0.05
                 })
                 .count();
             assert!(alarms <= 140, "p = {p}: {alarms} of 2000");
@@ -95,10 +117,10 @@ mod tests {
         let std_error = (0.25 / trials as f64).sqrt();
         let at = |sigmas: f64| Hits { hits: ((0.5 + sigmas * std_error) * trials as f64) as u64, trials };
         let normal = family_threshold(alpha, 1).unwrap();
-        assert!(p_value_of_share(at(normal), 0.5) > alpha);
-        assert!(p_value_of_share(at(1.1 * normal), 0.5) < alpha);
-        assert!(p_value_of_share(at(-1.1 * normal), 0.5) < alpha);
+        assert!(p_value_of_share(at(normal), 0.5).unwrap() > alpha);
+        assert!(p_value_of_share(at(1.1 * normal), 0.5).unwrap() < alpha);
+        assert!(p_value_of_share(at(-1.1 * normal), 0.5).unwrap() < alpha);
         let stored = Hits { hits: 50_000_000, trials: 100_000_000 };
-        assert!(p_value_of_two(at(1.1 * normal), stored) < alpha);
+        assert!(p_value_of_two(at(1.1 * normal), stored).unwrap() < alpha);
     }
 }
