@@ -158,7 +158,10 @@ fn misuse_is_exit_2() {
         (&["check", "c.toml", "--seed", "1729"], "not be fresh"),
         (&["check", "c.toml", "--values", "v.csv", "--photons", "9"], "cannot be used with"),
         (&["check", "c.toml", "--points", "p.csv", "--values", "v.csv"], "cannot be used with"),
-        (&["check", "c.toml", "--points", "nowhere/p.csv"], "cannot write nowhere/p.csv: its folder does not exist"),
+        (
+            &["check", "c.toml", "--points", "nowhere/p.csv"],
+            "cannot write nowhere/p.csv: its folder does not exist",
+        ),
     ] {
         let output = run(dir.path(), args);
         let error = String::from_utf8_lossy(&output.stderr);

@@ -10,8 +10,13 @@ use std::path::Path;
 
 const HEADER: &str = "quantity,theta_l_deg,theta_v_deg,phi_deg,tau,order,value";
 
+/// Bounds of radiances in the config.
+const TOP: &str = "[check.values.radiance_top]\nany = { absolute = 0.01, relative = 0.05 }\n";
+const BOTTOM: &str = "[check.values.radiance_bottom]\nany = { absolute = 0.01, relative = 0.05 }\n";
+
+/// One wavelength, and no bound for radiances leaving below.
 fn prepare(dir: &Path) {
-    fs::write(dir.join("c.toml"), config(&[("[0.65, 0.55, 0.45]", "[0.55]")])).unwrap();
+    fs::write(dir.join("c.toml"), config(&[("[0.65, 0.55, 0.45]", "[0.55]"), (BOTTOM, "")])).unwrap();
 }
 
 /// `solve` says what is right, to six digits beyond the bound.
@@ -80,7 +85,11 @@ fn radiance_is_held_against_the_radiance_solver() {
     let dir = tempfile::tempdir().unwrap();
     let bounds = "[check.values.radiance_top]\nany = { absolute = 0.01 }\n\
                   [check.values.radiance_bottom]\ntotal = { relative = 0.1 }\nany = { absolute = 0.01 }\n";
-    fs::write(dir.path().join("c.toml"), config(&[("[0.65, 0.55, 0.45]", "[0.55]")]) + bounds).unwrap();
+    fs::write(
+        dir.path().join("c.toml"),
+        config(&[("[0.65, 0.55, 0.45]", "[0.55]"), (TOP, ""), (BOTTOM, "")]) + bounds,
+    )
+    .unwrap();
     let solve = |more: &[&str]| {
         let places = ["--tau", "2", "--mu0", "0.5", "--view-mu", "1", "--phi", "90"];
         stdout(dir.path(), &[&["solve", "--phase", "config:c.toml"], &places[..], more].concat())
@@ -120,7 +129,7 @@ fn tables_that_mean_nothing_are_refused_with_file_and_line() {
         (&format!("{HEADER}\nreflectance,0,,,1,total,NaN\n"), "v.csv:2: value: `NaN`"),
         (&format!("{HEADER}\nreflectance,90.5,,,1,total,0.1\n"), "v.csv:2: theta_l_deg = 90.5"),
         (&format!("{HEADER}\nradiance_top,0,,,1,total,0.1\n"), "v.csv:2: theta_v_deg is empty"),
-        (&format!("{HEADER}\nradiance_top,0,10,0,1,total,0.1\n"), "v.csv:2: the config states no bound"),
+        (&format!("{HEADER}\nradiance_bottom,0,10,0,1,total,0.1\n"), "v.csv:2: the config states no bound"),
         (&long, "v.csv:3: repeats line 2"),
     ] {
         fs::write(dir.path().join("v.csv"), text).unwrap();
