@@ -60,23 +60,118 @@ fn the_committed_table_and_the_tracer_pass_in_every_format_with_any_number_of_th
     assert_eq!(tree.descendants().filter(|node| node.has_tag_name("failure")).count(), 0);
 }
 
+/// `accepted` in `dir`: a copy of the committed table, edited.
+fn copy_table(dir: &Path, edit: impl Fn(&mut Value)) {
+    let folder = dir.join("accepted");
+    fs::create_dir_all(&folder).unwrap();
+    for entry in fs::read_dir(root().join("fit-configs/appendix-b/accepted")).unwrap() {
+        let path = entry.unwrap().path();
+        fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
+    }
+    let file = folder.join("parameters.json");
+    let mut table = parsed(&fs::read_to_string(&file).unwrap());
+    edit(&mut table);
+    fs::write(&file, table.to_string()).unwrap();
+}
+
+/// Multiplies a number.
+fn scale(number: &mut Value, factor: f64) {
+    *number = Value::from(number.as_f64().unwrap() * factor);
+}
+
+/// Value and emitted number of a parameter, in both tables.
+fn scale_everywhere(document: &mut Value, row: usize, parameter: &str, factor: f64) {
+    for table in ["optical", "metres"] {
+        for field in ["value", "emitted"] {
+            scale(&mut document[table]["rows"][row][parameter][field], factor);
+        }
+    }
+}
+
+/// The quantities that a check of the edited table finds wrong.
+fn wrong(dir: &Path, edit: impl Fn(&mut Value)) -> Vec<String> {
+    copy_table(dir, edit);
+    let args = ["check", "c.toml", "--photons", "1e3", "--json", "--worst", "99"];
+    let output = run(dir, &args);
+    let document = parsed(&String::from_utf8(output.stdout).unwrap());
+    let offenders = document["offenders"].as_array().unwrap().iter();
+    let wrong: Vec<_> = offenders.map(|one| one["quantity"].as_str().unwrap().to_owned()).collect();
+    assert_eq!(output.status.code(), Some(i32::from(!wrong.is_empty())));
+    wrong
+}
+
+/// What is emitted is held, whatever stands beside it. Row 4 is 40 degrees, row 5 is 50 degrees, without a c.
+#[test]
+fn what_is_emitted_is_held() {
+    let dir = tempfile::tempdir().unwrap();
+    write_config(dir.path(), &[("accepted", "accepted")]);
+    assert!(wrong(dir.path(), |_| ()).is_empty());
+    for (parameter, factor) in
+        [("kappa_c", 1.05), ("t", 1.05), ("r", 1.05), ("c", 1.05), ("b", 1.05), ("c", 2.0)]
+    {
+        let edit = |table: &mut Value| scale(&mut table["optical"]["rows"][4][parameter]["emitted"], factor);
+        let wrong = wrong(dir.path(), edit);
+        for name in ["parameter", "optical", "metres"] {
+            let expected = format!("{name} {parameter}");
+            // b, t and r are the same in both tables, so that the one in metres does not follow from either.
+            assert!(wrong.contains(&expected), "{factor} {parameter}: no {expected} in {wrong:?}");
+        }
+    }
+    for parameter in ["b", "c", "kappa_c", "t", "r"] {
+        let wrong = wrong(dir.path(), |table| scale_everywhere(table, 4, parameter, 1.02));
+        assert!(wrong.contains(&format!("parameter {parameter}")), "{parameter}: {wrong:?}");
+        assert!(!wrong.iter().any(|name| name.starts_with("optical") || name.starts_with("metres")));
+    }
+    // Without a value c is held by what it makes of T_ms.
+    let undetermined = wrong(dir.path(), |table| {
+        for table_of in ["optical", "metres"] {
+            let c = &mut table[table_of]["rows"][4]["c"];
+            c["value"] = Value::Null;
+            c["std_error"] = Value::Null;
+            scale(&mut c["emitted"], 2.0);
+        }
+    });
+    assert!(undetermined.contains(&"t_ms of b and c".to_owned()), "{undetermined:?}");
+    let at_50 = wrong(dir.path(), |table| {
+        for of in ["optical", "metres"] {
+            scale(&mut table[of]["rows"][5]["c"]["emitted"], 2.0);
+        }
+    });
+    assert!(at_50.contains(&"t_ms of b and c".to_owned()), "{at_50:?}");
+}
+
+/// The table in metres is the optical one times the extinction, in every number; and the medium is the config's.
+#[test]
+fn the_table_in_metres_follows_from_the_optical_one() {
+    let dir = tempfile::tempdir().unwrap();
+    write_config(dir.path(), &[("accepted", "accepted")]);
+    let kappa_c = wrong(dir.path(), |table| {
+        for row in table["metres"]["rows"].as_array_mut().unwrap() {
+            for field in ["value", "std_error", "emitted"] {
+                scale(&mut row["kappa_c"][field], 1.05);
+            }
+        }
+    });
+    assert!(kappa_c.len() == 33 && kappa_c.iter().all(|name| name == "metres kappa_c"), "{kappa_c:?}");
+    let error = wrong(dir.path(), |table| scale(&mut table["metres"]["rows"][9]["t"]["std_error"], 1.05));
+    assert_eq!(error, ["metres t"]);
+    for (name, field) in [("metres beta", "value"), ("metres beta", "std_error")] {
+        assert_eq!(wrong(dir.path(), |table| scale(&mut table["metres"]["beta"][field], 1.001)), [name]);
+    }
+    assert_eq!(wrong(dir.path(), |table| scale(&mut table["metres"]["kappa_s"], 1.001)), ["metres kappa_s"]);
+    let optical = wrong(dir.path(), |table| scale(&mut table["optical"]["kappa_s"], 1.001));
+    assert_eq!(optical, ["metres kappa_s", "optical kappa_s"]);
+    let beta = wrong(dir.path(), |table| scale(&mut table["optical"]["beta"]["value"], 1.001));
+    assert!(beta.contains(&"parameter beta".to_owned()), "{beta:?}");
+    let medium = wrong(dir.path(), |table| scale(&mut table["medium"]["extinction_per_m"], 1.001));
+    assert!(medium.contains(&"extinction_per_m".to_owned()), "{medium:?}");
+}
+
 /// 2 % in t at 40 degrees: exit 1, everything printed and written all the same.
 #[test]
 fn a_slip_in_the_table_is_named() {
     let dir = tempfile::tempdir().unwrap();
-    let source = root().join("fit-configs/appendix-b/accepted");
-    fs::create_dir(dir.path().join("accepted")).unwrap();
-    for entry in fs::read_dir(&source).unwrap() {
-        let path = entry.unwrap().path();
-        fs::copy(&path, dir.path().join("accepted").join(path.file_name().unwrap())).unwrap();
-    }
-    let file = dir.path().join("accepted/parameters.json");
-    let mut table = parsed(&fs::read_to_string(&file).unwrap());
-    for field in ["value", "emitted"] {
-        let t = &mut table["optical"]["rows"][4]["t"][field];
-        *t = Value::from(t.as_f64().unwrap() * 1.02);
-    }
-    fs::write(&file, table.to_string()).unwrap();
+    copy_table(dir.path(), |table| scale_everywhere(table, 4, "t", 1.02));
     write_config(dir.path(), &[("accepted", "accepted")]);
     let args = ["check", "c.toml", "--photons", "1e3", "--json", "--worst", "1"];
     let output = run(dir.path(), &[&args[..], &["--junit", "a.xml", "--markdown", "a.md"]].concat());

@@ -138,7 +138,7 @@ fn unphysical(reference: &Reference, values: &Values<f64>) -> Result<Vec<Flag>, 
 }
 
 /// The same table per metre; `kappa` is the extinction of the full medium, 1/m.
-fn in_metres(optical: &ParameterTable, kappa: f64) -> ParameterTable {
+pub(crate) fn in_metres(optical: &ParameterTable, kappa: f64) -> ParameterTable {
     let beta = optical.beta.value;
     let per_metre = 1.0 / (1.0 + kappa * (1.0 - beta) / beta);
     let ratio = per_metre / beta;

@@ -11,6 +11,7 @@
 
 mod compare;
 mod config;
+mod consistency;
 mod document;
 mod error;
 mod identifiable;
@@ -27,6 +28,7 @@ mod totals_fit;
 
 pub use compare::{Comparison, Deviation, compare};
 pub use config::{FitConfig, ParameterBounds, ThicknessGrid};
+pub use consistency::{DerivedNumber, derived_numbers};
 pub use document::{ALBEDO, fit};
 pub use error::FitError;
 pub use matrix::Matrix;

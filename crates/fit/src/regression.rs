@@ -1,7 +1,8 @@
-//! Whether a table's parameters still are what a fresh fit gives: b, κ_c, t, r, bounded relatively.
+//! Whether what a table emits still is what a fresh fit gives: b, c, κ_c, t, r, bounded relatively.
 //!
 //! A fit's misfit hides small slips of a parameter in the fluxes. It is the same in both fits here and cancels, so that this
-//! bound may be small. Not compared are c, and with it b, of a row where only one of the fits has a c.
+//! bound may be small. Not compared are c of a row where one of the fits does not determine it, and b where only one does:
+//! what they make of T_ms together is for the caller to hold.
 
 use crate::FitError;
 use serde::{Deserialize, Serialize};
@@ -15,7 +16,7 @@ use stratiform_quantities::{DomainError, Range};
 pub struct ModelBounds {
     /// Rows beyond this angle are not held to anything: the model's form cannot fit there.
     pub up_to_deg: f64,
-    /// Largest |table - fresh fit| relative to the table, for b, κ_c, t and r.
+    /// Largest |table - fresh fit| relative to the table, for b, c, κ_c, t and r.
     pub parameters_relative: f64,
     /// Largest |table - true flux|, from here on.
     pub t_ms: f64,
@@ -53,22 +54,22 @@ impl ModelBounds {
     }
 }
 
-/// One parameter of a table beside that of a fresh fit.
+/// One emitted parameter of a table beside that of a fresh fit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldParameter {
     /// Row of the table.
     pub theta_l_deg: RowIncidence,
-    /// `b`, `kappa_c`, `t` or `r`.
+    /// `b`, `c`, `kappa_c`, `t` or `r`.
     pub parameter: &'static str,
-    /// What the table says.
+    /// What the table emits.
     pub table: f64,
-    /// What the fresh fit says.
+    /// What the fresh fit would.
     pub fresh: f64,
     /// Standard error of the difference.
     pub std_error: f64,
 }
 
-/// The parameters of `table` beside those of `fresh`, in optical thickness, up to the bounds' angle.
+/// The emitted parameters of `table` beside those of `fresh`, in optical thickness, up to the bounds' angle.
 ///
 /// # Errors
 /// [`FitError::Inconsistent`] if `fresh` lacks a row.
@@ -87,22 +88,25 @@ pub fn held_parameters(
 }
 
 fn of_row(row: &ParameterRow, again: &ParameterRow) -> Vec<HeldParameter> {
-    let pairs: [(&'static str, &FittedParameter, &FittedParameter); 4] = [
-        ("b", &row.b, &again.b),
-        ("kappa_c", &row.kappa_c, &again.kappa_c),
-        ("t", &row.t, &again.t),
-        ("r", &row.r, &again.r),
-    ];
-    let same_c = row.c.value.is_some() == again.c.value.is_some();
-    let hold = |(parameter, a, b): (&'static str, &FittedParameter, &FittedParameter)| {
-        let errors = [a.std_error.unwrap_or(0.0), b.std_error.unwrap_or(0.0)];
-        Some(HeldParameter {
+    let hold = |((parameter, a), (_, b)): ((&'static str, &FittedParameter), (&str, &FittedParameter))| {
+        HeldParameter {
             theta_l_deg: row.theta_l_deg.clone(),
             parameter,
-            table: a.value?,
-            fresh: b.value?,
-            std_error: libm::hypot(errors[0], errors[1]),
-        })
+            table: a.emitted,
+            fresh: b.emitted,
+            std_error: libm::hypot(a.std_error.unwrap_or(0.0), b.std_error.unwrap_or(0.0)),
+        }
     };
-    pairs.into_iter().filter(|(name, ..)| same_c || *name != "b").filter_map(hold).collect()
+    let determined = [row.c.value.is_some(), again.c.value.is_some()];
+    let comparable = |name: &str| match name {
+        "b" => determined[0] == determined[1],
+        "c" => determined == [true, true],
+        _ => true,
+    };
+    named(row).into_iter().zip(named(again)).filter(|((name, _), _)| comparable(name)).map(hold).collect()
+}
+
+/// The parameters of a row by their names.
+pub(crate) fn named(row: &ParameterRow) -> [(&'static str, &FittedParameter); 5] {
+    [("b", &row.b), ("c", &row.c), ("kappa_c", &row.kappa_c), ("t", &row.t), ("r", &row.r)]
 }
