@@ -11,6 +11,7 @@
 
 mod figure;
 mod label;
+mod names;
 mod panel;
 mod scale;
 mod series;

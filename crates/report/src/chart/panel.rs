@@ -1,6 +1,7 @@
 //! One coordinate system: frame, grid, ticks, labels, and the data clipped to it.
 
 use super::label;
+use super::names::names;
 use super::series::Area;
 use super::{Scale, Series};
 use maud::{Markup, html};
@@ -68,7 +69,8 @@ impl Panel {
             g transform=(format!("translate({:.2} {:.2})", x + LEFT, y + top)) {
                 (self.ticks(&area))
                 svg width=(format!("{width:.2}")) height=(format!("{height:.2}")) {
-                    @for mark in &self.marks { (draw_mark(mark, &area)) }
+                    @for mark in self.marks.iter().filter(|mark| mark.y.is_none()) { (draw_line(mark, &area)) }
+                    @for name in names(&self.marks, &area) { (name.draw()) }
                     @for series in &self.series { (series.draw(&area)) }
                 }
                 rect width=(format!("{width:.2}")) height=(format!("{height:.2}")) fill="none" stroke="#333" {}
@@ -133,25 +135,10 @@ fn grid_line(x1: f64, y1: f64, x2: f64, y2: f64) -> Markup {
     line(x1, y1, x2, y2, "#e4e4e4")
 }
 
-fn draw_mark(mark: &Mark, area: &Area) -> Markup {
-    mark.y.map_or_else(|| draw_line(mark, area), |y| draw_name(mark, y, area))
-}
-
-/// Where a name stands: on whichever side of `x` has room.
+/// Where the name of a line stands: on whichever side of `x` has room.
 fn beside(mark: &Mark, x: f64, area: &Area) -> (f64, &'static str) {
     let fits = x + label::width(&mark.label, SMALL) + 8.0 < area.width;
     if fits { (x + 5.0, "start") } else { (x - 5.0, "end") }
-}
-
-/// Above the point, on whichever side has room.
-fn draw_name(mark: &Mark, y: f64, area: &Area) -> Markup {
-    let Some((x, y)) = area.place(mark.x, y) else { return html! {} };
-    let (at, anchor) = beside(mark, x, area);
-    html! {
-        text x=(format!("{at:.2}")) y=(format!("{:.2}", y - 5.0)) font-size=(SMALL) fill="#222" text-anchor=(anchor) {
-            (label::svg(&mark.label, SMALL))
-        }
-    }
 }
 
 fn draw_line(mark: &Mark, area: &Area) -> Markup {

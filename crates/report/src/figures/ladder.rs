@@ -82,7 +82,7 @@ fn panel(rows: &[LadderRow], title: &str, angles: &str, size: Size) -> Panel {
     let losses = || series.iter().flat_map(|s| &s.points).map(|p| p.y);
     Panel {
         title: title.to_owned(),
-        x: Axis::new("rung (each against the one before)", Scale::named(&RUNGS)),
+        x: Axis::new("rung", Scale::named(&RUNGS)),
         y: Axis::new("loss (per incident flux)", Scale::logarithmic(losses())),
         series,
         marks: Vec::new(),
