@@ -141,3 +141,44 @@ fn tables_that_mean_nothing_are_refused_with_file_and_line() {
         assert!(!dir.path().join("a.xml").exists() && !dir.path().join("a.md").exists());
     }
 }
+
+/// Nothing is written over an input, nor twice to one file, nor to a folder.
+#[test]
+fn files_to_be_written_are_told_apart() {
+    let dir = tempfile::tempdir().unwrap();
+    prepare(dir.path());
+    let values = format!("{HEADER}\nreflectance,0,,,1,total,0.1\n");
+    fs::write(dir.path().join("v.csv"), &values).unwrap();
+    let config = fs::read_to_string(dir.path().join("c.toml")).unwrap();
+    fs::create_dir(dir.path().join("folder")).unwrap();
+    let here = dir.path().join("v.csv");
+    for (more, says) in [
+        (
+            &["--values", "v.csv", "--junit", "v.csv"][..],
+            "cannot write v.csv: --junit is the same file as --values",
+        ),
+        (&["--values", "v.csv", "--markdown", "folder/../v.csv"], "--markdown is the same file as --values"),
+        (&["--values", "v.csv", "--junit", here.to_str().unwrap()], "--junit is the same file as --values"),
+        (
+            &["--values", "v.csv", "--junit", "a", "--markdown", "./a"],
+            "--markdown is the same file as --junit",
+        ),
+        (
+            &["--values", "v.csv", "--junit", "c.toml"],
+            "cannot write c.toml: --junit is the same file as the config",
+        ),
+        (&["--points", "c.toml"], "--points is the same file as the config"),
+        (&["--store-counts", "c.toml"], "--store-counts is the same file as the config"),
+        (&["--values", "v.csv", "--junit", "folder"], "cannot write folder: it is a folder"),
+        (&["--values", "v.csv", "--markdown", "folder/"], "cannot write folder/: it is a folder"),
+        (&["--points", "."], "cannot write .: it is a folder"),
+    ] {
+        let output = run(dir.path(), &[&["check", "c.toml"], more].concat());
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{more:?}: {error}");
+        assert!(output.stdout.is_empty() && error.contains(says), "{more:?}: {error}");
+        assert!(!dir.path().join("a").exists());
+    }
+    assert_eq!(fs::read_to_string(here).unwrap(), values);
+    assert_eq!(fs::read_to_string(dir.path().join("c.toml")).unwrap(), config);
+}

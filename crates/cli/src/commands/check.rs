@@ -39,16 +39,39 @@ pub fn run(args: &CheckArgs, talk: Talk) -> Result<Data, CliError> {
     render(&config, args, &verdict)
 }
 
-/// Looks for the folders of what is to be written before any work is done.
+/// Whether every file can be written, and over no input and no other output, before any work is done.
 fn can_be_written(args: &CheckArgs) -> Result<(), CliError> {
-    let mut files = [&args.junit, &args.markdown, &args.points, &args.store_counts].into_iter().flatten();
-    let lost = |file: &&PathBuf| file.parent().is_some_and(|p| *p != *"" && !p.is_dir());
-    match files.find(lost) {
-        Some(file) => {
-            Err(CliError::Input(format!("cannot write {}: its folder does not exist", file.display())))
+    let outputs = [
+        ("--junit", &args.junit),
+        ("--markdown", &args.markdown),
+        ("--points", &args.points),
+        ("--store-counts", &args.store_counts),
+    ];
+    let inputs = [("the config", Some(&args.config)), ("--values", args.values.as_ref())];
+    let mut taken: Vec<(&str, PathBuf)> =
+        inputs.into_iter().filter_map(|(name, file)| Some((name, resolved(file?)))).collect();
+    for (name, file) in outputs.into_iter().filter_map(|(name, file)| Some((name, file.as_ref()?))) {
+        let refuse = |why: &str| Err(CliError::Input(format!("cannot write {}: {why}", file.display())));
+        if file.is_dir() || file.file_name().is_none() {
+            return refuse("it is a folder");
         }
-        None => Ok(()),
+        if file.parent().is_some_and(|p| *p != *"" && !p.is_dir()) {
+            return refuse("its folder does not exist");
+        }
+        let place = resolved(file);
+        if let Some((other, _)) = taken.iter().find(|(_, path)| *path == place) {
+            return refuse(&format!("{name} is the same file as {other}"));
+        }
+        taken.push((name, place));
     }
+    Ok(())
+}
+
+/// The path without links and dots, of a file that need not exist.
+fn resolved(file: &Path) -> PathBuf {
+    let folder = file.parent().filter(|folder| **folder != *"").unwrap_or(Path::new("."));
+    let named = || Some(folder.canonicalize().ok()?.join(file.file_name()?));
+    file.canonicalize().ok().or_else(named).unwrap_or_else(|| file.to_owned())
 }
 
 /// The cloud at the wavelength of the transport: the others are not needed.
