@@ -1,5 +1,6 @@
 //! One number held against the truth, and what many of them amount to.
 
+use super::report::short;
 use std::collections::BTreeMap;
 use stratiform_artifact::RowIncidence;
 use stratiform_quantities::{Medium, Order};
@@ -52,12 +53,13 @@ impl Place {
 /// Everything but the order, which stands in a [label](Comparison::label).
 impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "theta_l {}", self.theta_l_deg)?;
+        let light = self.theta_l_deg.degrees().map(short);
+        write!(f, "theta_l {}", light.unwrap_or_else(|| self.theta_l_deg.to_string()))?;
         let mut part =
             |name: &str, value: Option<String>| value.map_or(Ok(()), |value| write!(f, ", {name} {value}"));
-        part("theta_v", self.theta_v_deg.map(|theta| theta.to_string()))?;
-        part("phi", self.phi_deg.map(|phi| phi.to_string()))?;
-        part("tau", self.tau.map(super::report::short))?;
+        part("theta_v", self.theta_v_deg.map(short))?;
+        part("phi", self.phi_deg.map(short))?;
+        part("tau", self.tau.map(short))?;
         part("medium", self.medium.map(|medium| medium.to_string()))
     }
 }
@@ -192,6 +194,20 @@ mod tests {
         assert!(!comparison("a", 0.875 - f64::EPSILON, 0.125).passes());
         assert!(!comparison("a", f64::NAN, 1e9).passes());
         assert!(!comparison("a", 1.0, f64::NAN).passes());
+    }
+
+    #[test]
+    fn a_place_is_short() {
+        let place = Place {
+            theta_v_deg: Some(1e-320),
+            phi_deg: Some(1.0 / 3.0),
+            tau: Some(1e-320),
+            ..Place::of(RowIncidence::Degrees(1e-320))
+        };
+        let tiny = "1.00e-320";
+        assert_eq!(place.to_string(), format!("theta_l {tiny}, theta_v {tiny}, phi 0.333333, tau {tiny}"));
+        assert_eq!(Place::of(RowIncidence::diffuse()).to_string(), "theta_l diffuse");
+        assert_eq!(Place::of(RowIncidence::Degrees(40.0)).to_string(), "theta_l 40");
     }
 
     #[test]
