@@ -70,12 +70,13 @@ fn solve(config: &Config, media: &Media, group: &Group) -> Result<Vec<(usize, Es
     let highest = orders.max_by_key(|order| *order as usize).unwrap_or(RadianceOrder::Total);
     let solver = RadianceSolver::new(media.get(group.medium).into(), config.check.radiance_tolerance)
         .map_err(pipeline::trace_error)?;
-    let solve = |views: &[View]| solver.radiance_up_to(highest, &tau, &[group.mu0], views);
-    let solved = solve(&views).map_err(|error| {
-        // Which row it is: the first whose view fails by itself.
-        let culprit = group.rows.iter().find(|(_, row)| solve(&[view(row)]).is_err());
-        let place = culprit.map_or_else(String::new, |(_, row)| format!(" at {}", row.place()));
-        pipeline::trace_error(error).at(&format!("the deterministic truth{place}"))
+    let solved = solver.radiance_up_to(highest, &tau, &[group.mu0], &views).map_err(|error| {
+        // Which view it is only a solution of each would tell: as much work again.
+        let sun = group
+            .rows
+            .first()
+            .map_or_else(String::new, |(_, row)| format!(" at theta_l {}", row.theta_l_deg));
+        pipeline::trace_error(error).at(&format!("the deterministic truth of radiance{sun}"))
     })?;
     let truth = |(i, row): &(usize, &ValueRow)| {
         let at = tau.iter().position(|tau| *tau == row.tau)?;
