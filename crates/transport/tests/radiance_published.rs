@@ -59,38 +59,43 @@ fn side(name: &str) -> Side {
     if name == "top" { Side::Top } else { Side::Bottom }
 }
 
-/// All rows of the `cases` within a relative deviation.
-fn assert_listed(cases: &[&str], allowed: impl Fn(&Row) -> f64) {
+/// All rows of the `cases` within a relative deviation; `None` leaves a row out.
+fn assert_listed(cases: &[&str], allowed: impl Fn(&Row) -> Option<f64>) {
     let rows = rows::<Row>("disort-intensities", "intensities.csv").unwrap();
+    let mut held = Vec::new();
     for row in rows.iter().filter(|row| cases.contains(&row.case.as_str())) {
+        let Some(allowed) = allowed(row) else { continue };
+        held.push(row.case.as_str());
         let deviation = row.deviation(&RadianceSolver::new(row.medium(), 1e-5).unwrap());
         let (case, mu, phi) = (&row.case, row.mu, row.phi_deg);
-        assert!(deviation.abs() <= allowed(row), "{case} {} {mu} {phi}: {deviation:e}", row.side);
+        assert!(deviation.abs() <= allowed, "{case} {} {mu} {phi}: {deviation:e}", row.side);
     }
+    assert!(cases.iter().all(|case| held.contains(case)), "{cases:?}: only {held:?} were compared");
 }
 
 /// Van de Hulst's isotropic slabs to all 6 digits where light is left, to 3 digits in the thin slab.
 #[test]
 fn disort_problem_1() {
-    assert_listed(&["1e"], |_| 5e-6);
-    assert_listed(&["1d"], |row| if row.side == "top" { 5e-6 } else { f64::INFINITY });
-    assert_listed(&["1a", "1b"], |_| 1.5e-3);
+    assert_listed(&["1e"], |_| Some(5e-6));
+    // Below 1d no light is left worth listing.
+    assert_listed(&["1d"], |row| (row.side == "top").then_some(5e-6));
+    assert_listed(&["1a", "1b"], |_| Some(1.5e-3));
 }
 
 /// Sweigart's Rayleigh atmospheres: 5 digits in the thick one but at grazing.
 #[test]
 fn disort_problem_2() {
-    assert_listed(&["2c", "2d"], |row| if row.mu > 0.1 { 2e-5 } else { 7e-4 });
-    assert_listed(&["2a", "2b"], |row| if row.mu > 0.1 { 1.5e-4 } else { 1.5e-3 });
+    assert_listed(&["2c", "2d"], |row| Some(if row.mu > 0.1 { 2e-5 } else { 7e-4 }));
+    assert_listed(&["2a", "2b"], |row| Some(if row.mu > 0.1 { 1.5e-4 } else { 1.5e-3 }));
 }
 
 /// Intensities of 3 were computed with 16 streams, those of 4a and 4b with 32, of 4c with more; of 5a with 48.
 #[test]
 fn disort_problems_3_to_5() {
-    assert_listed(&["3a", "3b"], |_| 4e-3);
-    assert_listed(&["4a", "4b"], |_| 1.2e-4);
-    assert_listed(&["4c"], |_| 2e-5);
-    assert_listed(&["5a"], |row| if row.side == "bottom" && row.mu > 0.1 { 1e-5 } else { 8e-3 });
+    assert_listed(&["3a", "3b"], |_| Some(4e-3));
+    assert_listed(&["4a", "4b"], |_| Some(1.2e-4));
+    assert_listed(&["4c"], |_| Some(2e-5));
+    assert_listed(&["5a"], |row| Some(if row.side == "bottom" && row.mu > 0.1 { 1e-5 } else { 8e-3 }));
 }
 
 /// The comparison rejects an albedo off by 1e-5.

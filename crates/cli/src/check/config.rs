@@ -111,7 +111,7 @@ impl CheckConfig {
     pub(crate) fn validate(&self) -> Result<(), Refused> {
         Range { max_included: false, ..Range::closed(1e-12, 1.0) }
             .check("check.tolerance", self.tolerance)?;
-        Range { max_included: false, ..Range::closed(1e-8, 1.0) }
+        Range { max_included: false, ..Range::closed(2e-8, 1.0) }
             .check("check.radiance_tolerance", self.radiance_tolerance)?;
         Range::open(0.0, 1.0).check("check.false_alarm_rate", self.false_alarm_rate)?;
         self.model.check("check.model")?;

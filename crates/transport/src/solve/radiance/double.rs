@@ -7,7 +7,7 @@
 //! end on the circles round both directions at which it does.
 //!
 //! In a scaled medium P'' = (P - fδ)/(1-f): the δ parts are closed forms too. The error is the
-//! difference of two Gauss rules.
+//! difference of Gauss rules.
 
 use super::depth::Exit;
 use super::panels::{Break, Rule};
@@ -17,8 +17,8 @@ use super::single::exit;
 use super::view::{Geometry, Side};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Points per panel: a rule is held against the one before.
-pub(super) const POINTS: [usize; 6] = [4, 6, 9, 14, 21, 32];
+/// Points per panel: a rule is held against the two before.
+pub(super) const POINTS: [usize; 7] = [3, 4, 6, 9, 14, 21, 32];
 
 /// Widest panel of a phase function with a peak: a rainbow is resolved.
 const WIDEST: f64 = PI / 18.0;
@@ -59,7 +59,7 @@ struct Peak {
 
 impl Pairing {
     pub(super) fn new(phase: &Phase, geometry: &Geometry, points: usize) -> Self {
-        let rule = Rule::new(points, if phase.peak < PEAK { WIDEST } else { WIDEST_SMOOTH });
+        let rule = Rule::new(points, widest(phase));
         let (sun, view) = (libm::acos(geometry.mu0), geometry.travel());
         let ends = [(sun, 0.0), (view, geometry.phi)];
         let mut peaks: Vec<Peak> =
@@ -91,6 +91,12 @@ impl Pairing {
         let scale = medium.albedo / (1.0 - medium.forward);
         scale * scale * exit.sun * exit.view * (pairs / (16.0 * PI) - 0.25 * medium.forward * peaks)
     }
+}
+
+/// Widest panel: two waves of a series, but no less than a quarter of what resolves a rainbow.
+fn widest(phase: &Phase) -> f64 {
+    let plain = if phase.peak < PEAK || phase.edge.is_some() { WIDEST } else { WIDEST_SMOOTH };
+    phase.waves.map_or(plain, |wave| plain.min((2.0 * wave).max(0.25 * WIDEST)))
 }
 
 /// One of the two events forward: Ω' = Ω0 or Ω' = Ω.

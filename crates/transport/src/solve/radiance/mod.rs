@@ -9,7 +9,8 @@
 //! paper's cloud (τ = 5, θ_l = θ_v = 60°, 24 streams): the glory is off by 2.5 % with TMS, 0.8 % with order 2, 0.003 %
 //! with `narrow`; light from the sun's own direction is 3.4 times too strong with TMS, off by 0.25 % here.
 //!
-//! Streams are added until results agree (`solver`); the error reported is the last change, doubled. Each azimuthal
+//! Streams are added until results agree (`solver`); the error reported is what convergence like 1/n, which the horizon
+//! and the aureole have at worst, would leave after the last change, and a half more. Each azimuthal
 //! mode is reduced to a symmetric eigenproblem (`eigen`). Units: τ of the full medium; φ in degrees. Domain: τ from
 //! 0 to 1e6; μ0 and μ from 0 (a limit) to 1, not both 0; ω from 0 to 1. In the modified medium orders count wide
 //! events. Errors: [`TransportError`](crate::TransportError).

@@ -3,15 +3,16 @@
 //! Narrow is what the scaled medium's discrete ordinates do not hold: ε_l = (χ_l-f)/(1-f) for l ≥ L, 0 below, in a
 //! forward part ε^f and a part ε^b of events by more than a right angle or so. Orders 1 and 2 of it are exact
 //! elsewhere. Higher ones follow in the limit of small angles off the straight path (Goudsmit & Saunderson 1940):
-//! - below, any number of forward events: moments e^y - 1 - y - y²/2, y = ω'ε_lτ'/μ, on the depth factor of order 1. ε_l tends
-//!   to -f/(1-f), the forward δ, which is the unscattered beam's and is left out;
+//! - below, any number of forward events: moments τ'∫e^{-p}(e^{ap} - 1 - ap - (ap)²/2)/p ds, a = ω'ε_l, over paths p that run at
+//!   the sun's slant for a part s of the slab and at the view's for the rest: p = (s/μ0 + (1-s)/μ)τ', one value if both are
+//!   alike. ε_l tends to -f/(1-f), the forward δ, which is the unscattered beam's and is left out;
 //! - above, one turn and any number of forward events on both ways: moments ω'ε^b_l ∫e^{-x}(e^{ax} - 1 - ax)dx, x = (1/μ+1/μ0)t
 //!   from 0 to s = (1/μ+1/μ0)τ', a = ω'ε^f_l.
 //!
 //! It replaces IMS of Nakajima & Tanaka (1988) and vanishes as L grows: what it gets wrong shows up as a step between two
 //! numbers of streams.
 
-use super::panels::Rule;
+use super::panels::{Break, Rule};
 use super::phase::Phase;
 use super::scaled::Scaled;
 use super::single::exit;
@@ -27,6 +28,12 @@ const NEEDLE: f64 = 1e-3;
 
 /// Depth factors below this leave no light.
 const DARK: f64 = 1e-30;
+
+/// Relative difference below which two slants are one.
+const ALIKE: f64 = 1e-9;
+
+/// Paths longer than the shortest by this leave no light.
+const LONGEST: f64 = 400.0;
 
 /// Where events begin to count as turns, and where all do.
 const TURN: (f64, f64) = (PI / 3.0, 2.0 * PI / 3.0);
@@ -63,9 +70,10 @@ impl Narrow {
             return 0.0;
         }
         let path = exit.tau * (exit.sun + exit.view);
+        let slant = Slant::new(exit.tau * exit.sun, exit.tau * exit.view);
         let moment: &dyn Fn(f64, f64) -> f64 = match geometry.side {
             Side::Top => &|all, turn| turn / path * turned(all - turn, path) * exit.tau,
-            Side::Bottom => &|all, _| 2.0 * depth / path * beyond_second(0.5 * all * path),
+            Side::Bottom => &|all, _| exit.tau * slant.beyond_second(all),
         };
         let scale = medium.albedo / (1.0 - medium.forward);
         let narrow = |all: f64, turn: f64| moment(scale * (all - medium.forward), scale * turn);
@@ -75,6 +83,33 @@ impl Narrow {
         let moments =
             moments.map(|(l, (all, turn))| if l < resolved { -beam } else { narrow(*all, *turn) - beam });
         0.25 * exit.sun * exit.view * legendre_sum(moments, 1.0 - geometry.deflection())
+    }
+}
+
+/// Paths between those of sun and view, with e^{-p}/p times their weight.
+struct Slant {
+    paths: Vec<(f64, f64)>,
+}
+
+impl Slant {
+    fn new(sun: f64, view: f64) -> Self {
+        let (least, most) = (sun.min(view), sun.max(view));
+        let faded = |p: f64, weight: f64| (p, weight * libm::exp(-p) / p);
+        let span = most - least;
+        if span < ALIKE * least {
+            return Self { paths: vec![faded(0.5 * (least + most), 1.0)] };
+        }
+        let mut paths = Vec::new();
+        let shrink = [Break { at: least, least: 2.0 }];
+        Rule::new(5, f64::INFINITY).visit(least, most.min(least + LONGEST), &shrink, |p, weight| {
+            paths.push(faded(p, weight / span));
+        });
+        Self { paths }
+    }
+
+    /// ∫e^{-p}(e^{ap} - 1 - ap - (ap)²/2)/p ds, a ≤ 1.
+    fn beyond_second(&self, a: f64) -> f64 {
+        self.paths.iter().fold(0.0, |sum, &(p, weight)| sum + weight * beyond_second(a * p))
     }
 }
 

@@ -1,8 +1,8 @@
 //! The azimuth series of one number of streams: light scattered three times or more.
 //!
 //! Σ(2-δ_m0) cos mφ of the modes' responses. Orders 1 and 2, the slowly converging part, are exact and stand elsewhere,
-//! so the series ends early: when two modes in a row, everywhere, add less than a share of the
-//! tolerance. Modes are worked out in batches of fixed size, in parallel, and added in order.
+//! so the series ends early: when four modes in a row, everywhere, add less than a share of the tolerance (one or two
+//! may vanish by parity at the horizon or at a zero of a Legendre function). Modes are worked out in batches of fixed size, in parallel, and added in order.
 
 use super::depth::Exit;
 use super::mode::{Mode, Streams};
@@ -17,6 +17,9 @@ const BATCH: usize = 8;
 
 /// Share of the tolerance that counts as nothing.
 pub(super) const NOTHING: f64 = 0.01;
+
+/// So many small modes in a row end the series.
+const ENOUGH: usize = 4;
 
 /// What is asked for: geometries, views inside suns, at every thickness.
 pub(super) struct Request<'a> {
@@ -54,7 +57,7 @@ pub(super) fn beyond_twice(medium: &Scaled, count: usize, request: &Request, tol
                 most = if term.is_finite() { most.max(factor * term.abs()) } else { f64::INFINITY };
             }
             small = if most <= NOTHING * tolerance { small + 1 } else { 0 };
-            if small == 2 {
+            if small == ENOUGH {
                 return sums;
             }
         }

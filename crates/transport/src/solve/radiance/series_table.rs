@@ -8,13 +8,21 @@ use std::f64::consts::PI;
 /// Nodes per term.
 const DENSITY: usize = 64;
 
+/// Error of the interpolation, relative to the largest value.
+const INTERPOLATION: f64 = 2e-8;
+
 /// Values and slopes at equal steps in Θ.
 #[derive(Clone, Debug)]
 pub(super) struct SeriesTable {
     step: f64,
     /// P and step·dP/dΘ.
     nodes: Vec<(f64, f64)>,
+    /// Terms up to the last that matters.
+    terms: usize,
 }
+
+/// Terms (2l+1)|χ_l| below this are no waves.
+const FAINT: f64 = 0.1;
 
 impl SeriesTable {
     pub(super) fn new(chi: &[f64]) -> Self {
@@ -24,7 +32,19 @@ impl SeriesTable {
             let (value, slope) = series(chi, step * k as f64);
             (value, step * slope)
         };
-        Self { step, nodes: (0..=count).map(node).collect() }
+        let matters = |(l, chi): (usize, &f64)| (2 * l + 1) as f64 * chi.abs() > FAINT;
+        let terms = 1 + chi.iter().enumerate().rposition(matters).unwrap_or(0);
+        Self { step, nodes: (0..=count).map(node).collect(), terms }
+    }
+
+    /// Wave length of the last term that matters, radians.
+    pub(super) fn waves(&self) -> Option<f64> {
+        (self.terms > 1).then(|| 2.0 * PI / self.terms as f64)
+    }
+
+    /// Error bound of a value.
+    pub(super) fn error(&self) -> f64 {
+        INTERPOLATION * self.nodes.iter().fold(0.0_f64, |most, (value, _)| most.max(value.abs()))
     }
 
     /// P at Θ.

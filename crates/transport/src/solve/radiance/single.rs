@@ -8,6 +8,7 @@ use super::depth::Exit;
 use super::phase::Phase;
 use super::scaled::Scaled;
 use super::view::{Geometry, Side};
+use stratiform_stats::Estimate;
 
 /// The slab as seen along `geometry`.
 pub(super) fn exit(medium: &Scaled, tau: f64, geometry: &Geometry) -> Exit {
@@ -17,7 +18,18 @@ pub(super) fn exit(medium: &Scaled, tau: f64, geometry: &Geometry) -> Exit {
 
 /// Radiance of order 1; in a scaled medium with the exact P/(1-f) (Nakajima & Tanaka 1988, TMS).
 pub(super) fn once(medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> f64 {
+    per_phase(medium, tau, geometry) * phase.at(geometry.deflection())
+}
+
+/// The same with the error of P.
+pub(super) fn once_estimate(medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> Estimate {
+    let factor = per_phase(medium, tau, geometry);
+    let value = factor * phase.at(geometry.deflection());
+    Estimate { value, std_error: 4.0 * f64::EPSILON * value.abs() + factor * phase.error }
+}
+
+/// Radiance of order 1 per value of P.
+fn per_phase(medium: &Scaled, tau: f64, geometry: &Geometry) -> f64 {
     let exit = exit(medium, tau, geometry);
-    let p = phase.at(geometry.deflection()) / (1.0 - medium.forward);
-    0.25 * medium.albedo * p * exit.sun * exit.view * exit.once()
+    0.25 * medium.albedo / (1.0 - medium.forward) * exit.sun * exit.view * exit.once()
 }

@@ -6,7 +6,7 @@ use super::phase::Phase;
 use super::radiances::Radiances;
 use super::scaled::Scaled;
 use super::series::{NOTHING, Request, beyond_twice};
-use super::single::once;
+use super::single::{once, once_estimate};
 use super::view::{Geometry, RadianceOrder, View};
 use crate::TransportError;
 use crate::solve::medium::SolveMedium;
@@ -18,10 +18,13 @@ use stratiform_stats::Estimate;
 const LADDER: [usize; 8] = [8, 16, 24, 32, 48, 64, 96, 128];
 
 /// Tolerances that can be met.
-const TOLERANCE: Range = Range { max_included: false, ..Range::closed(1e-8, 1.0) };
+const TOLERANCE: Range = Range { max_included: false, ..Range::closed(2e-8, 1.0) };
 
 /// Share of the tolerance that the angular rule of order 2 should take.
 const SHARE: f64 = 0.1;
+
+/// Times the rest of a 1/n series.
+const MARGIN: f64 = 1.5;
 
 /// Rounding and limits (k = 0, μ = 0) relative to radiances of order one.
 const ROUNDING: f64 = 1e-8;
@@ -30,25 +33,27 @@ const ROUNDING: f64 = 1e-8;
 #[derive(Clone)]
 pub struct RadianceSolver {
     medium: SolveMedium,
+    phase: Phase,
     /// Moments enough for the last rung.
     chi: Vec<f64>,
     narrow: Narrow,
     tolerance: f64,
 }
 
-/// Two rules of order 2, the second finer.
-type Rules = [Pairing; 2];
+/// Three rules of order 2, each finer than the one before.
+type Rules = [Pairing; 3];
 
 impl RadianceSolver {
     /// Prepares radiances within `tolerance`: absolute below 1, relative above.
     ///
     /// # Errors
-    /// [`TransportError::Domain`] unless 1e-8 ≤ `tolerance` < 1.
+    /// [`TransportError::Domain`] unless 2e-8 ≤ `tolerance` < 1.
     pub fn new(medium: SolveMedium, tolerance: f64) -> Result<Self, TransportError> {
         TOLERANCE.check("tolerance", tolerance)?;
         let chi = medium.leading_moments(MOMENTS);
-        let narrow = Narrow::new(chi.clone(), &Phase::new(&medium));
-        Ok(Self { medium, chi, narrow, tolerance })
+        let phase = Phase::new(&medium);
+        let narrow = Narrow::new(chi.clone(), &phase);
+        Ok(Self { medium, phase, chi, narrow, tolerance })
     }
 
     /// The medium.
@@ -80,17 +85,16 @@ impl RadianceSolver {
         let geometries = geometries(tau, mu0, views)?;
         let clean: Vec<f64> = geometries.iter().map(|row| row[0].mu0).collect();
         let request = Request { tau, mu0: &clean, geometries: &geometries };
-        let phase = Phase::new(&self.medium);
+        let phase = &self.phase;
         let as_it_is = Scaled::not(&self.medium);
-        let first = request.places().map(|(tau, _, geometry)| once(&as_it_is, &phase, tau, geometry));
-        let exact = |value: f64| Estimate { value, std_error: 4.0 * f64::EPSILON * value.abs() };
-        let mut orders = vec![first.map(exact).collect()];
+        let first = request.places().map(|(tau, _, geometry)| once_estimate(&as_it_is, phase, tau, geometry));
+        let mut orders = vec![first.collect()];
         let mut streams = 0;
         if highest != RadianceOrder::One {
-            let rules = self.rules(&phase, &request)?;
-            orders.push(twice(&as_it_is, &phase, &request, &rules));
+            let rules = self.rules(phase, &request)?;
+            orders.push(twice(&as_it_is, phase, &request, &rules));
             if highest == RadianceOrder::Total {
-                let (total, count) = self.climb(&phase, &request, &rules)?;
+                let (total, count) = self.climb(phase, &request, &rules)?;
                 orders.push(total);
                 streams = count;
             }
@@ -109,7 +113,7 @@ impl RadianceSolver {
         Ok(rules.chunks(views).map(<[Rules]>::to_vec).collect())
     }
 
-    /// Two rules that agree to a share of the tolerance, or the finest two if they meet the tolerance itself.
+    /// Three rules that agree to a share of the tolerance, or the finest if they meet the tolerance itself.
     fn rule(&self, phase: &Phase, tau: &[f64], geometry: &Geometry) -> Result<Rules, TransportError> {
         let medium = Scaled::not(&self.medium);
         let disagreement = |rules: &Rules| {
@@ -117,14 +121,14 @@ impl RadianceSolver {
                 worst.max(excess(&by_rules(rules, &medium, phase, *tau, geometry)))
             })
         };
-        let mut rules = [POINTS[0], POINTS[1]].map(|points| Pairing::new(phase, geometry, points));
+        let mut rules = [POINTS[0], POINTS[1], POINTS[2]].map(|points| Pairing::new(phase, geometry, points));
         let mut worst = disagreement(&rules);
-        for points in &POINTS[2..] {
+        for points in &POINTS[3..] {
             if worst <= SHARE * self.tolerance {
                 break;
             }
-            let [_, coarse] = rules;
-            rules = [coarse, Pairing::new(phase, geometry, *points)];
+            let [_, coarse, middle] = rules;
+            rules = [coarse, middle, Pairing::new(phase, geometry, *points)];
             worst = disagreement(&rules);
         }
         if worst > self.tolerance {
@@ -142,11 +146,15 @@ impl RadianceSolver {
     ) -> Result<(Vec<Estimate>, usize), TransportError> {
         let mut rungs: Vec<Vec<Estimate>> = Vec::new();
         let mut reached = f64::INFINITY;
+        let mut before = 0;
         for count in LADDER {
             rungs.push(self.rung(phase, request, rules, count));
+            // An error that falls like 1/n: so many times the last step are left.
+            let left = before as f64 / (count - before) as f64;
+            before = count;
             let [.., first, second, third] = rungs.as_slice() else { continue };
             let total: Vec<Estimate> =
-                (0..third.len()).map(|i| self.settled(first[i], second[i], third[i])).collect();
+                (0..third.len()).map(|i| self.settled(left, [first[i], second[i], third[i]])).collect();
             let worst = total.iter().fold(0.0_f64, |worst, estimate| worst.max(excess(estimate)));
             if worst <= self.tolerance {
                 return Ok((total, count));
@@ -175,13 +183,14 @@ impl RadianceSolver {
             .collect()
     }
 
-    /// The last of three rungs with its error: twice the last step (fine structure converges by a factor of two or so
-    /// per rung), or half of the one before lest two rungs agree by chance; the error of order 2; what the azimuth
-    /// series leaves out; rounding.
-    fn settled(&self, first: Estimate, second: Estimate, third: Estimate) -> Estimate {
-        let step = (third.value - second.value).abs().max(0.25 * (second.value - first.value).abs());
+    /// The last of three rungs with its error: `left` times the last step (at the horizon and in the aureole results
+    /// converge no faster than 1/n) with a margin, or half of the step before lest two rungs agree by chance; the error of
+    /// order 2; what the azimuth series leaves out; rounding.
+    fn settled(&self, left: f64, [first, second, third]: [Estimate; 3]) -> Estimate {
+        let last = MARGIN * left * (third.value - second.value).abs();
+        let step = last.max(0.5 * (second.value - first.value).abs());
         let rest = 2.0 * NOTHING * self.tolerance + ROUNDING * third.value.abs().max(1.0);
-        let error = 2.0 * step + third.std_error + rest;
+        let error = step + third.std_error + rest;
         Estimate { value: third.value, std_error: if error.is_finite() { error } else { f64::INFINITY } }
     }
 }
@@ -196,9 +205,11 @@ fn twice(medium: &Scaled, phase: &Phase, request: &Request, rules: &[Vec<Rules>]
     places.par_iter().enumerate().map(of).collect()
 }
 
+/// The finest rule with its error: twice the last step, or half of the one before lest two rules agree by chance.
 fn by_rules(rules: &Rules, medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> Estimate {
-    let [coarse, fine] = [0, 1].map(|i| rules[i].twice(medium, phase, tau, geometry));
-    Estimate { value: fine, std_error: (fine - coarse).abs() + f64::EPSILON * fine.abs() }
+    let [coarse, middle, fine] = [0, 1, 2].map(|i| rules[i].twice(medium, phase, tau, geometry));
+    let step = (fine - middle).abs().max(0.25 * (middle - coarse).abs());
+    Estimate { value: fine, std_error: 2.0 * step + f64::EPSILON * fine.abs() }
 }
 
 /// Error in units of the tolerance's scale.
