@@ -57,12 +57,12 @@ fn a_tolerance_that_is_not_met_is_exit_1_and_says_what_was_reached() {
         "--view-mu",
         "0.99",
         "--tolerance",
-        "1e-8",
+        "2e-8",
     ];
     let output = run(dir.path(), &args);
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(output.stdout.is_empty() && message.contains("1e-8") && message.contains("reach"), "{message}");
+    assert!(output.stdout.is_empty() && message.contains("2e-8") && message.contains("reach"), "{message}");
 }
 
 #[test]
