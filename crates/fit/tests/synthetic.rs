@@ -3,7 +3,7 @@
 mod support;
 
 use stratiform_artifact::{Flag, ParametersDocument, RowIncidence, read_json, to_csv, write_json};
-use stratiform_fit::FitError;
+use stratiform_fit::{FitError, derived_numbers};
 use support::{ANGLES, KAPPA, config, incidences, reference, references, run, truth, truths};
 
 fn emitted(document: &ParametersDocument) -> Vec<[f64; 5]> {
@@ -40,6 +40,16 @@ fn both_tables_describe_the_same_curves() {
         assert!((m.kappa_c.std_error.unwrap() / o.kappa_c.std_error.unwrap() / KAPPA - 1.0).abs() < 1e-14);
         assert_eq!((m.t, m.r, m.b), (o.t, o.r, o.b));
     }
+    let astray = |document: &ParametersDocument| -> Vec<String> {
+        let numbers = derived_numbers(document).unwrap().into_iter();
+        numbers.filter(|n| n.document != n.follows).map(|n| n.name).collect()
+    };
+    assert!(astray(&document).is_empty());
+    let mut slipped = document.clone();
+    slipped.metres.rows[1].c.emitted *= 1.0 + 1e-9;
+    assert_eq!(astray(&slipped), ["metres c", "metres c"]);
+    slipped.metres.rows.pop();
+    assert!(derived_numbers(&slipped).is_err());
 }
 
 /// Where b passes 1, c has no value, be it for the misfit's sake (44°) or the noise's (46°); what is emitted
