@@ -33,7 +33,7 @@ pub struct SolveArgs {
     /// Orders listed one by one, at most 60 (2 for radiance); the rest is the tail.
     #[arg(long, default_value_t = 2)]
     pub orders: u32,
-    /// Largest absolute error allowed; default 1e-6. For radiance: relative above 1, default 1e-3.
+    /// Largest absolute error allowed, from 1e-12; default 1e-6. For radiance: relative above 1, from 2e-8, default 1e-3.
     #[arg(long, value_parser = finite)]
     pub tolerance: Option<f64>,
     /// Print one JSON object instead of CSV.

@@ -133,6 +133,20 @@ fn a_radiance_tolerance_that_cannot_be_met_is_exit_1() {
     assert!(output.stdout.is_empty() && error.contains(says), "{error}");
 }
 
+/// A truth that misses its tolerance at the horizon widens its row's bound and stops nothing.
+#[test]
+fn rows_of_slow_truth_are_judged_with_its_error() {
+    let dir = tempfile::tempdir().unwrap();
+    let none = [("[0.65, 0.55, 0.45]", "[0.55]")];
+    fs::write(dir.path().join("c.toml"), config(&none)).unwrap();
+    let rows = "radiance_top,90,60,0,5,total,9\nradiance_top,60,60,180,5,1,9\n";
+    fs::write(dir.path().join("v.csv"), format!("{HEADER}\n{rows}")).unwrap();
+    let output = run(dir.path(), &["check", "c.toml", "--values", "v.csv"]);
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.contains("2 of 2 comparisons are out of bounds"), "{said}");
+}
+
 #[test]
 fn tables_that_mean_nothing_are_refused_with_file_and_line() {
     let dir = tempfile::tempdir().unwrap();

@@ -3,7 +3,8 @@
 //! Every parameter of the table in optical thickness gives z = (a - b)/√(σ_a² + σ_b²). All N of them are
 //! judged together: the largest |z| may exceed the threshold with probability α, and no more whatever their
 //! correlations (to O(α²)), if the fits are independent of each other and their errors normal; see
-//! [`family_threshold`]. Not compared are c, and with it b, of a row where one of the fits has no c.
+//! [`family_threshold`]. Not compared are c, and with it b, of a row where one of the fits has no c, and what sits on the
+//! same bound in both.
 
 use crate::FitError;
 use stratiform_artifact::{FittedParameter, ParameterRow, ParametersDocument};
@@ -84,6 +85,7 @@ fn of_row(a: &ParameterRow, b: &ParameterRow) -> Vec<Deviation> {
     for (name, a, b) in parameters {
         if let (Some(x), Some(y)) = (a.value, b.value)
             && !(without_c && name == "b")
+            && !(x == y && a.std_error.is_none() && b.std_error.is_none())
         {
             out.push(deviation(&angle, name, (x, a.std_error), (y, b.std_error)));
         }

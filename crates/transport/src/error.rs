@@ -26,7 +26,7 @@ pub enum TransportError {
         reached: f64,
     },
     /// The solver's finest quadrature does not reach the tolerance.
-    #[error("tolerance = {wanted:e} is not met: {streams} streams per hemisphere reach {reached:.1e}")]
+    #[error("tolerance = {wanted:e} is not met: {streams} streams per hemisphere reach {reached:.1e}{place}")]
     Tolerance {
         /// Asked for.
         wanted: f64,
@@ -34,6 +34,8 @@ pub enum TransportError {
         reached: f64,
         /// Streams per hemisphere.
         streams: usize,
+        /// Where, as ` at …`; empty if the list is not searched for it.
+        place: String,
     },
     /// Thicknesses times orders exceed what the tallies hold.
     #[error("{thicknesses} thicknesses with {orders} orders each make more than {max} rows")]

@@ -13,9 +13,10 @@ use std::path::PathBuf;
                         counts. With --values: only the values of that file, against the solver.\n\
                         Columns of --values and --points: quantity,theta_l_deg,theta_v_deg,phi_deg,tau,order,value; \
                         quantity = reflectance | transmittance | radiance_top | radiance_bottom; theta_l_deg in [0, 90] or \
-                        `diffuse`; theta_v_deg and phi_deg empty for fluxes; tau is the full medium's; order 0, 1, 2, tail (three and \
-                        more) or total. Totals are those of the config's totals_medium, orders those of its orders_medium. Radiance is \
-                        pi L/(mu0 F0) without unscattered light, of order 1, 2 or total; phi 0: light keeps the sun's azimuth.\n\
+                        `diffuse`; theta_v_deg and phi_deg empty for fluxes; tau is the full medium's; order 0 to 60, tail (three \
+                        and more) or total. Totals are those of the config's totals_medium, orders those of its orders_medium. Radiance is \
+                        pi L/(mu0 F0) without unscattered light, of order 1, 2 or total; phi 0: light keeps the sun's azimuth. \
+                        Columns stand in any order, others are ignored, lines that start with # are comments, no place may stand twice.\n\
                         Exit codes: 0 everything within its bounds; 1 something is not, or nothing was compared; 2 misuse.")]
 pub struct CheckArgs {
     /// The config (TOML), whose section `check` holds the bounds.

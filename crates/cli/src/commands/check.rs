@@ -48,6 +48,13 @@ fn can_be_written(args: &CheckArgs) -> Result<(), CliError> {
         ("--store-counts", &args.store_counts),
     ];
     let inputs = [("the config", Some(&args.config)), ("--values", args.values.as_ref())];
+    let named = inputs
+        .iter()
+        .map(|(name, file)| (*name, *file))
+        .chain(outputs.map(|(name, file)| (name, file.as_ref())));
+    if let Some((name, _)) = named.into_iter().find(|(_, file)| file.is_some_and(|file| *file == *"-")) {
+        return Err(CliError::Input(format!("{name} `-`: pipes are not read or written, name a file")));
+    }
     let mut taken: Vec<(&str, PathBuf)> =
         inputs.into_iter().filter_map(|(name, file)| Some((name, resolved(file?)))).collect();
     for (name, file) in outputs.into_iter().filter_map(|(name, file)| Some((name, file.as_ref()?))) {

@@ -182,7 +182,7 @@ impl Solver {
             reached = reached.min(worst);
         }
         let streams = LADDER[LADDER.len() - 1];
-        Err(TransportError::Tolerance { wanted: self.tolerance, reached, streams })
+        Err(TransportError::Tolerance { wanted: self.tolerance, reached, streams, place: String::new() })
     }
 
     /// Estimated error of the last of three rungs. The step before counts too, lest two rungs agree by

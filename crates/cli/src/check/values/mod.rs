@@ -25,19 +25,42 @@ use stratiform_stats::Estimate;
 /// Holds the values of `file` against the truth within the bounds of `[check.values]`.
 ///
 /// # Errors
-/// [`CliError::Input`] with file and line for rows that mean nothing or have no bound; as [`Solvers::solve`].
+/// [`CliError::Input`] with file and line for rows that mean nothing or have no bound, [`CliError::Failed`] where the truth is
+/// less certain than the bound; as [`Solvers::solve`].
 pub fn check(config: &Config, media: &Media, file: &Path) -> Result<Vec<Comparison>, CliError> {
     let rows = read(file)?;
     let bounds = rows.iter().map(|row| bound_of(config, row, file)).collect::<Result<Vec<_>, _>>()?;
     let truths = truths(config, media, &rows)?;
-    let compare = |((row, bound), truth): ((&ValueRow, Bound), Estimate)| Comparison {
+    rows.iter()
+        .zip(bounds)
+        .zip(truths)
+        .map(|((row, bound), truth)| {
+            compare(config, row, bound, truth).map_err(|error| error.at(&row.line_of(file)))
+        })
+        .collect()
+}
+
+/// The truth's own error widens the bound; a truth that misses its tolerance and is less certain than the bound judges
+/// nothing.
+fn compare(config: &Config, row: &ValueRow, bound: Bound, truth: Estimate) -> Result<Comparison, CliError> {
+    let own = bound.around(truth.value);
+    let tolerance = config.check.radiance_tolerance * truth.value.abs().max(1.0);
+    if truth.std_error > own.max(tolerance) {
+        let message = format!(
+            "the truth of {} at {} is known to {:.1e} only, its bound is {own:.1e}",
+            row.quantity,
+            row.place(),
+            truth.std_error
+        );
+        return Err(CliError::Failed(message));
+    }
+    Ok(Comparison {
         quantity: row.quantity.to_string(),
         place: row.place(),
         value: row.value,
         truth: truth.value,
-        bound: bound.around(truth.value) + truth.std_error,
-    };
-    Ok(rows.iter().zip(bounds).zip(truths).map(compare).collect())
+        bound: own + truth.std_error,
+    })
 }
 
 fn bound_of(config: &Config, row: &ValueRow, file: &Path) -> Result<Bound, CliError> {

@@ -7,7 +7,7 @@
 use super::depth::Exit;
 use super::phase::Phase;
 use super::scaled::Scaled;
-use super::view::{Geometry, Side};
+use super::view::{GRAZING, Geometry, Side};
 use stratiform_stats::Estimate;
 
 /// The slab as seen along `geometry`.
@@ -25,7 +25,10 @@ pub(super) fn once(medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry
 pub(super) fn once_estimate(medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> Estimate {
     let factor = per_phase(medium, tau, geometry);
     let value = factor * phase.at(geometry.deflection());
-    Estimate { value, std_error: 4.0 * f64::EPSILON * value.abs() + factor * phase.error }
+    // A cosine of 0 is taken for the least one that is not.
+    let grazing = if geometry.mu.min(geometry.mu0) > GRAZING { 0.0 } else { 2.0 * GRAZING };
+    let rounding = 4.0 * f64::EPSILON + grazing / geometry.mu.max(geometry.mu0);
+    Estimate { value, std_error: rounding * value.abs() + factor * phase.error }
 }
 
 /// Radiance of order 1 per value of P.

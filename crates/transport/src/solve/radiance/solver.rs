@@ -82,6 +82,35 @@ impl RadianceSolver {
         mu0: &[f64],
         views: &[View],
     ) -> Result<Radiances, TransportError> {
+        let solved = self.radiance_as_reached(highest, tau, mu0, views)?;
+        let totals = solved.orders.get(RadianceOrder::Total as usize).into_iter().flatten();
+        let Some((worst, estimate)) = totals.enumerate().max_by(|a, b| excess(a.1).total_cmp(&excess(b.1)))
+        else {
+            return Ok(solved);
+        };
+        let reached = excess(estimate);
+        if reached <= self.tolerance {
+            return Ok(solved);
+        }
+        let (place, view) = (worst / views.len(), &views[worst % views.len()]);
+        let (tau, mu0) = (tau[place / mu0.len()], mu0[place % mu0.len()]);
+        let place = format!(" at tau {tau}, mu0 {mu0}, {:?} mu {}, phi {}", view.side, view.mu, view.phi_deg);
+        let (wanted, streams) = (self.tolerance, solved.streams);
+        Err(TransportError::Tolerance { wanted, reached, streams, place: place.to_lowercase() })
+    }
+
+    /// The same where totals that no number of streams brings within the tolerance are no error: each estimate says how well
+    /// it is known.
+    ///
+    /// # Errors
+    /// As [`radiance`](Self::radiance), but for [`TransportError::Tolerance`].
+    pub fn radiance_as_reached(
+        &self,
+        highest: RadianceOrder,
+        tau: &[f64],
+        mu0: &[f64],
+        views: &[View],
+    ) -> Result<Radiances, TransportError> {
         let geometries = geometries(tau, mu0, views)?;
         let clean: Vec<f64> = geometries.iter().map(|row| row[0].mu0).collect();
         let request = Request { tau, mu0: &clean, geometries: &geometries };
@@ -94,7 +123,7 @@ impl RadianceSolver {
             let rules = self.rules(phase, &request)?;
             orders.push(twice(&as_it_is, phase, &request, &rules));
             if highest == RadianceOrder::Total {
-                let (total, count) = self.climb(phase, &request, &rules)?;
+                let (total, count) = self.climb(phase, &request, &rules);
                 orders.push(total);
                 streams = count;
             }
@@ -137,15 +166,10 @@ impl RadianceSolver {
         Ok(rules)
     }
 
-    /// Totals from the first rung that agrees with the one below.
-    fn climb(
-        &self,
-        phase: &Phase,
-        request: &Request,
-        rules: &[Vec<Rules>],
-    ) -> Result<(Vec<Estimate>, usize), TransportError> {
+    /// Totals from the first rung that agrees with the ones below, or from the one that comes nearest to that.
+    fn climb(&self, phase: &Phase, request: &Request, rules: &[Vec<Rules>]) -> (Vec<Estimate>, usize) {
         let mut rungs: Vec<Vec<Estimate>> = Vec::new();
-        let mut reached = f64::INFINITY;
+        let (mut reached, mut nearest) = (f64::INFINITY, (Vec::new(), 0));
         let mut before = 0;
         for count in LADDER {
             rungs.push(self.rung(phase, request, rules, count));
@@ -156,13 +180,14 @@ impl RadianceSolver {
             let total: Vec<Estimate> =
                 (0..third.len()).map(|i| self.settled(left, [first[i], second[i], third[i]])).collect();
             let worst = total.iter().fold(0.0_f64, |worst, estimate| worst.max(excess(estimate)));
-            if worst <= self.tolerance {
-                return Ok((total, count));
+            if worst < reached || nearest.1 == 0 {
+                (reached, nearest) = (worst, (total, count));
             }
-            reached = reached.min(worst);
+            if worst <= self.tolerance {
+                break;
+            }
         }
-        let streams = LADDER[LADDER.len() - 1];
-        Err(TransportError::Tolerance { wanted: self.tolerance, reached, streams })
+        nearest
     }
 
     /// Totals with `count` streams; errors are those of order 2.
