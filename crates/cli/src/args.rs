@@ -140,6 +140,17 @@ pub enum Estimator {
     Plain,
 }
 
+/// Slabs and how they are lit, the same for every solver.
+#[derive(Debug, Args)]
+pub struct SlabArgs {
+    /// Optical thicknesses of the full medium.
+    #[arg(long, value_delimiter = ',', value_parser = finite, required = true)]
+    pub tau: Vec<f64>,
+    /// Cosines of the sun's zenith angle in [0, 1], or `diffuse`.
+    #[arg(long, value_delimiter = ',', required = true)]
+    pub mu0: Vec<String>,
+}
+
 /// `stratiform trace`.
 #[derive(Debug, Args)]
 #[command(
@@ -153,12 +164,9 @@ pub struct TraceArgs {
     /// What light is traced through.
     #[command(flatten)]
     pub medium: MediumArgs,
-    /// Optical thicknesses of the full medium.
-    #[arg(long, value_delimiter = ',', value_parser = finite, required = true)]
-    pub tau: Vec<f64>,
-    /// Cosines of the sun's zenith angle in [0, 1], or `diffuse`.
-    #[arg(long, value_delimiter = ',', required = true)]
-    pub mu0: Vec<String>,
+    /// Slabs and suns.
+    #[command(flatten)]
+    pub slab: SlabArgs,
     /// Photons per incidence (with --std-error: at most so many).
     #[arg(long, value_parser = count)]
     pub photons: u64,

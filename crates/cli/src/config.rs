@@ -4,8 +4,8 @@
 //! reported with the line on which its key stands.
 //!
 //! **Source.** `transport.source` says what the model is fitted to: `solve`, the deterministic solver, or `trace`,
-//! photons. The objective is the same. `solve` is the default: its fluxes have no noise, their error is estimated and a
-//! hundred times below what photons reach in the same seconds, so that the table does not depend on a seed and a
+//! photons. The objective is the same. `solve` is the default: its fluxes have no noise, their error is estimated and far
+//! below what photons reach in the same seconds (`convergence.csv`), so that the table does not depend on a seed and a
 //! difference between two tables is a difference of media. What it gives up is independence (solver and model share no
 //! code, but a fault of the solver would pass into the table); hence with `photons` given the table's incidences are also
 //! traced, and both tables must agree.

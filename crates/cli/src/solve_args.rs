@@ -1,6 +1,6 @@
 //! `stratiform solve` as typed.
 
-use crate::args::MediumArgs;
+use crate::args::{MediumArgs, SlabArgs};
 use crate::numbers::finite;
 use clap::Args;
 
@@ -18,12 +18,9 @@ pub struct SolveArgs {
     /// What light goes through.
     #[command(flatten)]
     pub medium: MediumArgs,
-    /// Optical thicknesses of the full medium.
-    #[arg(long, value_delimiter = ',', value_parser = finite, required = true)]
-    pub tau: Vec<f64>,
-    /// Cosines of the sun's zenith angle in [0, 1], or `diffuse`.
-    #[arg(long, value_delimiter = ',', required = true)]
-    pub mu0: Vec<String>,
+    /// Slabs and suns.
+    #[command(flatten)]
+    pub slab: SlabArgs,
     /// Radiance instead of fluxes: cosines of the leaving light's angle to the normal, in [0, 1].
     #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "MU,...")]
     pub view_mu: Vec<f64>,

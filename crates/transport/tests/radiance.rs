@@ -163,7 +163,7 @@ fn order_one_is_the_textbooks() {
     let above = (1.0 - exponential(mu) * exponential(mu0)) / (mu + mu0);
     let below = (exponential(mu) - exponential(mu0)) / (mu - mu0);
     for (side, cosine, depth) in [(Top, sines - mu * mu0, above), (Bottom, sines + mu * mu0, below)] {
-        let solved = solver.radiance_up_to(One, &[tau], &[mu0], &[view(side, mu, phi)]).unwrap();
+        let solved = solver.radiance_as_reached(One, &[tau], &[mu0], &[view(side, mu, phi)]).unwrap();
         let expected = 0.25 * omega * hg(0.6).value(1.0 - cosine) * depth;
         assert!((solved.estimate(0, 0, 0, One).value / expected - 1.0).abs() < 1e-12, "{side:?}");
     }

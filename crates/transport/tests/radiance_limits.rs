@@ -82,7 +82,7 @@ fn rules_do_not_agree_by_chance() {
         let views = [view(Top, mu, phi), view(Bottom, mu, phi)];
         let [loose, tight] = [1e-2, 1e-6].map(|tolerance| {
             let solver = RadianceSolver::new(medium.clone(), tolerance).unwrap();
-            solver.radiance_up_to(Two, &[tau], &[mu0], &views).unwrap()
+            solver.radiance_as_reached(Two, &[tau], &[mu0], &views).unwrap()
         });
         for i in 0..2 {
             let (loose, tight) = (loose.estimate(0, 0, i, Two), tight.estimate(0, 0, i, Two));

@@ -20,19 +20,19 @@ const TOLERANCE: f64 = 1e-3;
 /// # Errors
 /// [`CliError::Input`] for bad input; [`CliError::Failed`] if the tolerance was not met.
 pub fn run(args: &SolveArgs) -> Result<Data, CliError> {
-    let mu0 = cosines(&args.mu0)?;
+    let mu0 = cosines(&args.slab.mu0)?;
     let orders = orders(args.orders)?;
     let views = views(args);
     let tolerance = args.tolerance.unwrap_or(TOLERANCE);
     let medium = Medium::parse(&args.medium)?;
     let solver =
         RadianceSolver::new(SolveMedium::from(medium.traced()), tolerance).map_err(pipeline::trace_error)?;
-    let solved = solver.radiance(&args.tau, &mu0, &views).map_err(pipeline::trace_error)?;
-    let results = rows((&args.tau, &mu0, &views), &orders, &solved);
+    let solved = solver.radiance(&args.slab.tau, &mu0, &views).map_err(pipeline::trace_error)?;
+    let results = rows((&args.slab.tau, &mu0, &views), &orders, &solved);
     if !args.json {
         return Ok(to_csv(&results)?);
     }
-    let inputs = (medium.record(), &args.tau, &mu0, (&args.view_mu, &args.phi), tolerance, args.orders);
+    let inputs = (medium.record(), &args.slab.tau, &mu0, (&args.view_mu, &args.phi), tolerance, args.orders);
     let method = format!("{METHOD}; {} streams per hemisphere", solved.streams());
     let document = RadianceDocument {
         schema: RadianceDocument::SCHEMA.to_owned(),

@@ -23,19 +23,19 @@ pub fn run(args: &SolveArgs) -> Result<Data, CliError> {
     if !args.view_mu.is_empty() {
         return radiance::run(args);
     }
-    let incidences = order_rows::parse_incidences(&args.mu0)?;
-    for tau in &args.tau {
+    let incidences = order_rows::parse_incidences(&args.slab.mu0)?;
+    for tau in &args.slab.tau {
         OpticalThickness::new(*tau)?;
     }
     let medium = Medium::parse(&args.medium)?;
     let tolerance = args.tolerance.unwrap_or(TOLERANCE);
     let solver = Solver::new(SolveMedium::from(medium.traced()), tolerance).map_err(pipeline::trace_error)?;
-    let solved = solver.orders(&args.tau, &incidences, args.orders).map_err(pipeline::trace_error)?;
+    let solved = solver.orders(&args.slab.tau, &incidences, args.orders).map_err(pipeline::trace_error)?;
     let results = rows(&solved);
     if !args.json {
         return order_rows::csv(&medium, results);
     }
-    let inputs = (medium.record(), &args.tau, &args.mu0, tolerance, args.orders);
+    let inputs = (medium.record(), &args.slab.tau, &args.slab.mu0, tolerance, args.orders);
     let method =
         format!("{METHOD}; {} streams per hemisphere, {} moments", solved.streams(), solved.moments());
     let document = OrdersDocument {

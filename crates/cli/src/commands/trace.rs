@@ -14,7 +14,7 @@ use stratiform_transport::{Stop, TraceRequest, Traced};
 /// # Errors
 /// [`CliError::Input`] for bad input; [`CliError::Unmet`], with the result, if the error asked for was not reached.
 pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
-    let incidences = order_rows::parse_incidences(&args.mu0)?;
+    let incidences = order_rows::parse_incidences(&args.slab.mu0)?;
     let requests: Vec<_> = incidences.iter().map(|incidence| request(args, *incidence)).collect();
     for request in &requests {
         request.check().map_err(pipeline::trace_error)?;
@@ -54,7 +54,14 @@ fn request(args: &TraceArgs, incidence: Incidence) -> TraceRequest {
         None => Stop::Photons(args.photons),
     };
     let stream = pipeline::stream_of(incidence, kind);
-    TraceRequest { tau: args.tau.clone(), incidence, stop, max_order: args.orders, seed: args.seed, stream }
+    TraceRequest {
+        tau: args.slab.tau.clone(),
+        incidence,
+        stop,
+        max_order: args.orders,
+        seed: args.seed,
+        stream,
+    }
 }
 
 fn rows(args: &TraceArgs, incidence: Incidence, traced: &Traced) -> Vec<OrderResult> {
@@ -62,14 +69,15 @@ fn rows(args: &TraceArgs, incidence: Incidence, traced: &Traced) -> Vec<OrderRes
     let row = |(index, order): (usize, Order)| {
         let (reflectance, transmittance) = traced.estimate(index, order);
         let photons = Some(traced.photons());
-        OrderResult { tau: args.tau[index], mu0: incidence, order, photons, reflectance, transmittance }
+        OrderResult { tau: args.slab.tau[index], mu0: incidence, order, photons, reflectance, transmittance }
     };
-    (0..args.tau.len()).flat_map(orders).map(row).collect()
+    (0..args.slab.tau.len()).flat_map(orders).map(row).collect()
 }
 
 fn render(args: &TraceArgs, medium: &Medium, results: Vec<OrderResult>) -> Result<Data, CliError> {
     if args.json {
-        let inputs = (medium.record(), &args.tau, &args.mu0, args.photons, args.std_error, args.orders);
+        let inputs =
+            (medium.record(), &args.slab.tau, &args.slab.mu0, args.photons, args.std_error, args.orders);
         let method = match args.estimator {
             Estimator::HalfSpace => {
                 "half-space Monte Carlo; std_error is one standard deviation of the mean, at least 1/(photons + 3)"

@@ -149,6 +149,29 @@ impl Matrix {
     }
 }
 
+#[cfg(test)]
+impl Matrix {
+    /// 2 on the diagonal, -1 beside it: eigenvalues 4 sin²(jπ/2(n+1)), j = 1…n.
+    pub(crate) fn second_difference(size: usize) -> Self {
+        Self::from_fn(size, |i, j| match i.abs_diff(j) {
+            0 => 2.0,
+            1 => -1.0,
+            _ => 0.0,
+        })
+    }
+}
+
+/// Largest distance of `values`, in any order, from the eigenvalues of the second difference.
+#[cfg(test)]
+pub(crate) fn eigenvalues_are_off(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let angle = std::f64::consts::PI / (2 * values.len() + 2) as f64;
+    values.iter().enumerate().fold(0.0, |most, (j, value)| {
+        let sine = libm::sin((j + 1) as f64 * angle);
+        most.max((value - 4.0 * sine * sine).abs())
+    })
+}
+
 impl Index<(usize, usize)> for Matrix {
     type Output = f64;
     fn index(&self, (i, j): (usize, usize)) -> &f64 {

@@ -5,9 +5,8 @@
 //!
 //! **The total** is that of a δ-M scaled medium (`scaled`): its orders 1 and 2, exact, with P'' = (P-fδ)/(1-f); discrete
 //! ordinates for orders 3 and above of the L moments kept (`mode`, `response`, `series`); and, in the limit of small angles, all
-//! further orders of the moments left out (`narrow`). With order 1 alone this is TMS of Nakajima & Tanaka (1988). Measured on the
-//! paper's cloud (τ = 5, θ_l = θ_v = 60°, 24 streams): the glory is off by 2.5 % with TMS, 0.8 % with order 2, 0.003 %
-//! with `narrow`; light from the sun's own direction is 3.4 times too strong with TMS, off by 0.25 % here.
+//! further orders of the moments left out (`narrow`). With order 1 alone this is TMS of Nakajima & Tanaka (1988). Order 2
+//! brings in what one narrow event does to glory and aureole, `narrow` what more of them do.
 //!
 //! Streams are added until results agree (`solver`); the error reported is what convergence like 1/n, which the horizon
 //! and the aureole have at worst, would leave after the last change, and a half more. Each azimuthal

@@ -5,8 +5,8 @@
 //! one) has no such share: f = 0, so that its rim keeps its place in orders 1 and 2.
 //!
 //! L = 3n/2 for n streams per hemisphere. DISORT takes 2n, but a rule of n points mixes up functions whose degrees add up to
-//! 2n or more; what L leaves out is known well from elsewhere (`double`, `narrow`), and with L = 2n the aureole of the paper's
-//! cloud is worse by two orders.
+//! 2n or more; what L leaves out is
+//! known from elsewhere (`double`, `narrow`).
 
 use crate::solve::medium::SolveMedium;
 

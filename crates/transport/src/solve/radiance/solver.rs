@@ -68,27 +68,10 @@ impl RadianceSolver {
     /// [`TransportError::NoThickness`], [`TransportError::NoIncidence`], [`TransportError::NoView`];
     /// [`TransportError::Tolerance`] or [`TransportError::Rule`] if the finest streams or rule do not suffice.
     pub fn radiance(&self, tau: &[f64], mu0: &[f64], views: &[View]) -> Result<Radiances, TransportError> {
-        self.radiance_up_to(RadianceOrder::Total, tau, mu0, views)
-    }
-
-    /// The same, orders beyond `highest` left out: 1 is immediate, 2 needs no streams.
-    ///
-    /// # Errors
-    /// As [`radiance`](Self::radiance).
-    pub fn radiance_up_to(
-        &self,
-        highest: RadianceOrder,
-        tau: &[f64],
-        mu0: &[f64],
-        views: &[View],
-    ) -> Result<Radiances, TransportError> {
-        let solved = self.radiance_as_reached(highest, tau, mu0, views)?;
-        let totals = solved.orders.get(RadianceOrder::Total as usize).into_iter().flatten();
-        let Some((worst, estimate)) = totals.enumerate().max_by(|a, b| excess(a.1).total_cmp(&excess(b.1)))
-        else {
-            return Ok(solved);
-        };
-        let reached = excess(estimate);
+        let solved = self.radiance_as_reached(RadianceOrder::Total, tau, mu0, views)?;
+        let totals = solved.orders[RadianceOrder::Total as usize].iter().map(excess).enumerate();
+        let (worst, reached) =
+            totals.fold((0, 0.0), |worst, next| if next.1 > worst.1 { next } else { worst });
         if reached <= self.tolerance {
             return Ok(solved);
         }
@@ -99,8 +82,8 @@ impl RadianceSolver {
         Err(TransportError::Tolerance { wanted, reached, streams, place: place.to_lowercase() })
     }
 
-    /// The same where totals that no number of streams brings within the tolerance are no error: each estimate says how well
-    /// it is known.
+    /// The same without orders beyond `highest` (1 is immediate, 2 needs no streams); and totals that no number of streams
+    /// brings within the tolerance are no error: each estimate says how well it is known.
     ///
     /// # Errors
     /// As [`radiance`](Self::radiance), but for [`TransportError::Tolerance`].
