@@ -1,13 +1,10 @@
 //! The phase functions: source tables, the shader's warped grid, and its look-up.
-//!
-//! The grid's coordinate is u = √(Θ/2π) up to 90° and 1 - √((π-Θ)/2π) beyond: 1024 cells are 0.04° wide at 1° from
-//! the forward and from the backward direction, and 0.35° at 90°.
 
 use crate::text::{banner, fill, literal};
 use crate::{CodegenError, Inputs, PhaseRow, error_card::spread};
 use serde::Serialize;
-use std::f64::consts::PI;
 use stratiform_artifact::to_csv;
+use stratiform_quantities::angle_map::{angle_deg, coordinate};
 
 /// Values of each function on the warped grid.
 const COUNT: usize = 1024;
@@ -18,20 +15,6 @@ struct WarpedRow {
     theta_deg: f64,
     p: f64,
     p_squared: f64,
-}
-
-/// Θ in degrees at the coordinate.
-fn angle_deg(coordinate: f64) -> f64 {
-    let back = 1.0 - coordinate;
-    let theta =
-        if coordinate < 0.5 { 2.0 * PI * coordinate * coordinate } else { PI - 2.0 * PI * back * back };
-    theta.to_degrees()
-}
-
-/// The coordinate of Θ in degrees.
-fn coordinate(theta_deg: f64) -> f64 {
-    let half = |degrees: f64| (degrees / 360.0).sqrt();
-    if theta_deg < 90.0 { half(theta_deg) } else { 1.0 - half(180.0 - theta_deg) }
 }
 
 /// A table at Θ, linear between rows.
@@ -113,15 +96,6 @@ pub(crate) fn files(inputs: &Inputs) -> Result<Vec<(String, String)>, CodegenErr
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn angle_and_coordinate_are_inverse() {
-        for i in 0..=1000 {
-            let u = f64::from(i) / 1000.0;
-            assert!((coordinate(angle_deg(u)) - u).abs() < 1e-7, "{u}");
-        }
-        assert_eq!((angle_deg(0.0), angle_deg(1.0)), (0.0, 180.0));
-    }
 
     #[test]
     fn a_table_is_linear_between_rows_and_may_jump() {

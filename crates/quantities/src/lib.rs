@@ -21,6 +21,7 @@
 //!   modified medium count wide events only.
 //! * **Refractive index.** m = n + ik with k ≥ 0 absorbing (Bohren & Huffman 1983).
 
+pub mod angle_map;
 mod domain;
 mod order;
 mod types;

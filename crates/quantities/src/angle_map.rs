@@ -1,0 +1,30 @@
+//! The angle map of tabulated phase functions: dense at the forward peak and at the glory.
+//!
+//! The coordinate is u = √(Θ/2π) up to 90° and 1 - √((π-Θ)/2π) beyond: of n equal steps the first and the last
+//! are 360°/n² wide, those at 90° 360°/n. Every file and every emitted function samples Θ at equal steps of u.
+
+/// Θ in degrees at the coordinate u ∈ \[0, 1\].
+pub fn angle_deg(coordinate: f64) -> f64 {
+    let back = 1.0 - coordinate;
+    if coordinate < 0.5 { 360.0 * coordinate * coordinate } else { 180.0 - 360.0 * back * back }
+}
+
+/// The coordinate u ∈ \[0, 1\] of Θ in degrees: the inverse of [`angle_deg`].
+pub fn coordinate(theta_deg: f64) -> f64 {
+    let half = |degrees: f64| (degrees / 360.0).sqrt();
+    if theta_deg < 90.0 { half(theta_deg) } else { 1.0 - half(180.0 - theta_deg) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angle_and_coordinate_are_inverse() {
+        for i in 0..=1000 {
+            let u = f64::from(i) / 1000.0;
+            assert!((coordinate(angle_deg(u)) - u).abs() < 1e-7, "{u}");
+        }
+        assert_eq!((angle_deg(0.0), angle_deg(0.5), angle_deg(1.0)), (0.0, 90.0, 180.0));
+    }
+}

@@ -1,0 +1,1 @@
+//! What is wrong with a phase table or with constants.

@@ -1,0 +1,11 @@
+//! Phase functions and parameter tables as others load them, and what is wrong with somebody else's table.
+
+pub mod colour;
+pub mod diagnosis;
+mod error;
+pub mod nearest;
+pub mod peer;
+pub mod read;
+pub mod write;
+
+pub use error::TablesError;

@@ -1,0 +1,1 @@
+//! The nearest analytic phase functions, with their measured error.

@@ -1,0 +1,1 @@
+//! Files that other renderers and solvers load.

@@ -1,0 +1,1 @@
+//! Reading phase tables of other programs.

@@ -1,0 +1,1 @@
+//! Containers: CSV, JSON, npz, EXR, KTX2.
