@@ -59,8 +59,11 @@ impl Gpu {
             return Err(GpuError::NoSpirv { adapter: self.adapter.clone() });
         }
         let pipeline = || {
+            // The workgroup's size stands in the module; drivers that would need it here take no SPIR-V.
+            let start = wgpu::PassthroughShaderEntryPoint { name: entry.into(), workgroup_size: (0, 0, 0) };
             let descriptor = wgpu::ShaderModuleDescriptorPassthrough {
                 label: Some(entry),
+                entry_points: vec![start].into(),
                 spirv: Some(spirv.into()),
                 ..Default::default()
             };
