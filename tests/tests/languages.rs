@@ -9,6 +9,7 @@
 use std::sync::OnceLock;
 use stratiform_gpu::{Gpu, GpuError};
 use stratiform_tests::languages::comparator::{errors, summary, wrong};
+use stratiform_tests::languages::signatures::signatures;
 use stratiform_tests::languages::tools::{ToolError, available, skip, words_of};
 use stratiform_tests::languages::{Emitted, Output, native, shaders};
 
@@ -75,7 +76,11 @@ fn c_reproduces_the_model() {
 fn cpp_reproduces_the_model() {
     let (text, input) = (emitted().text("stratiform.h"), emitted().input());
     for (compiler, standard) in [("g++", "-std=c++17"), ("clang++", "-std=c++17")] {
-        holds(&format!("C++ by {compiler}"), |text| native(native::c(compiler, standard, text, &input)), &text);
+        holds(
+            &format!("C++ by {compiler}"),
+            |text| native(native::c(compiler, standard, text, &input)),
+            &text,
+        );
     }
 }
 
@@ -150,4 +155,15 @@ fn the_spirv_kernel_reproduces_the_model() {
     let planted: Vec<u32> = module.iter().map(|word| if *word == number { larger } else { *word }).collect();
     assert_ne!(planted, module);
     assert!(!wrong(&measure(&planted)).is_empty(), "planted");
+}
+
+/// Same names, parameters and types of functions, same fields of structures.
+#[test]
+fn every_language_exports_the_same() {
+    let exported = signatures(&emitted().text("stratiform.wgsl"));
+    assert!(exported.len() > 20, "guard against checking nothing");
+    for ending in ["450.glsl", "330.glsl", "300es.glsl", "hlsl", "metal", "h", "rs"] {
+        let found = signatures(&emitted().text(&format!("stratiform.{ending}")));
+        assert_eq!(found, exported, "{ending}");
+    }
 }

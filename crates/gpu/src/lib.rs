@@ -39,8 +39,7 @@ impl Gpu {
             required_features: adapter.features() & wgpu::Features::PASSTHROUGH_SHADERS,
             ..Default::default()
         };
-        let (device, queue) =
-            block_on(adapter.request_device(&descriptor)).map_err(closed)?;
+        let (device, queue) = block_on(adapter.request_device(&descriptor)).map_err(closed)?;
         Ok(Self { device, queue, adapter: format!("{} ({}, {})", info.name, info.backend, info.driver_info) })
     }
 

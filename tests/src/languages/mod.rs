@@ -39,6 +39,19 @@ impl Emitted {
         Self { folder, test: serde_json::from_str(&test).expect("vectors that can be read") }
     }
 
+    /// The files, in order.
+    ///
+    /// # Panics
+    /// If the folder cannot be read.
+    #[expect(clippy::expect_used, reason = "for tests only")]
+    pub fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.folder).expect("a folder that can be read");
+        let names = entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned());
+        let mut names: Vec<_> = names.collect();
+        names.sort();
+        names
+    }
+
     /// The emitted file `name`.
     ///
     /// # Panics

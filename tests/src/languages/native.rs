@@ -15,12 +15,7 @@ const WARNINGS: [&str; 7] =
 ///
 /// # Errors
 /// [`ToolError`] if the compiler is missing or refuses.
-pub fn c(
-    compiler: &'static str,
-    standard: &str,
-    text: &str,
-    input: &[u8],
-) -> Result<Output, ToolError> {
+pub fn c(compiler: &'static str, standard: &str, text: &str, input: &[u8]) -> Result<Output, ToolError> {
     let scratch = Scratch::new()?;
     scratch.write("stratiform.h", text)?;
     scratch.write("driver.c", DRIVER_C)?;
@@ -64,7 +59,9 @@ pub fn metal(text: &str, input: &[u8]) -> Result<Output, ToolError> {
         &["-include", "stratiform.metal", "-x", "c++", "driver.c", "-o", "driver"],
     ];
     scratch.run("g++", &arguments.concat()).map_err(|error| match error {
-        ToolError::Refused { said, .. } if said.contains("GLM is missing") => ToolError::Missing("libglm-dev"),
+        ToolError::Refused { said, .. } if said.contains("GLM is missing") => {
+            ToolError::Missing("libglm-dev")
+        }
         error => error,
     })?;
     Ok(Output::read(&scratch.run_program("driver", input)?))

@@ -37,7 +37,8 @@ pub fn validate_spirv(bytes: &[u8]) -> Result<Vec<u32>, ToolError> {
 pub fn glsl_compute(text: &str) -> Result<Vec<u32>, ToolError> {
     let scratch = Scratch::new()?;
     scratch.write("driver.comp", format!("#version 450\n{text}\n{DRIVER_GLSL}"))?;
-    scratch.run("glslangValidator", &["-V", "--target-env", "vulkan1.1", "driver.comp", "-o", "driver.spv"])?;
+    scratch
+        .run("glslangValidator", &["-V", "--target-env", "vulkan1.1", "driver.comp", "-o", "driver.spv"])?;
     validated(&scratch, "driver.spv")
 }
 
@@ -82,10 +83,8 @@ pub fn hlsl_by_dxc(text: &str) -> Result<Vec<u32>, ToolError> {
 
 /// Where scripts/test puts the library.
 fn dxc_library() -> PathBuf {
-    std::env::var_os("STRATIFORM_DXC").map_or_else(
-        || crate::root().join("target/tools/libdxcompiler.so"),
-        PathBuf::from,
-    )
+    std::env::var_os("STRATIFORM_DXC")
+        .map_or_else(|| crate::root().join("target/tools/libdxcompiler.so"), PathBuf::from)
 }
 
 fn dxc(scratch: &Scratch, source: &str, options: &[&str]) -> Result<(), ToolError> {
