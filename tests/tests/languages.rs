@@ -124,7 +124,7 @@ fn older_glsl_compiles() {
     for (file, version) in [("stratiform.330.glsl", "330"), ("stratiform.300es.glsl", "300 es")] {
         let text = emitted().text(file);
         available(shaders::glsl_fragment(version, &text), &[]);
-        let broken = shaders::glsl_fragment(version, &text.replacen("exp(", "expo(", 1));
+        let broken = shaders::glsl_fragment(version, &text.replace("exp(", "expo("));
         assert!(!matches!(broken, Ok(())), "{file}: a planted slip");
     }
 }
