@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use std::path::Path;
 use stratiform_artifact::read_text;
+use stratiform_codegen::Target;
 use stratiform_fit::{FitConfig, FitError};
 use stratiform_optics::{OpticsConfig, OpticsError};
 use stratiform_quantities::{
@@ -115,6 +116,13 @@ pub struct CodegenConfig {
     pub accepted: String,
     /// Folder of the emitted text.
     pub output: String,
+    /// Languages to emit: wgsl, glsl-450, glsl-330, glsl-300es, hlsl, msl, c, rust, spirv. Default: all.
+    #[serde(default = "all_targets")]
+    pub targets: Vec<Target>,
+}
+
+fn all_targets() -> Vec<Target> {
+    Target::ALL.to_vec()
 }
 
 /// `[convergence]`.
