@@ -128,7 +128,7 @@ fn a_table_without_structure_has_no_interpolation_error() {
 fn the_twin_in_single_precision_reproduces_the_self_test() {
     let inputs = common::inputs();
     let test: SelfTest =
-        serde_json::from_str(&generate(&inputs, &Target::ALL).unwrap().text("self_test.json").unwrap())
+        serde_json::from_str(generate(&inputs, &Target::ALL).unwrap().text("self_test.json").unwrap())
             .unwrap();
     let grid = parameter_grid::<f32>(&inputs.parameters.optical).unwrap();
     let diffuse = diffuse_parameters::<f32>(&inputs.parameters.optical).unwrap();

@@ -333,11 +333,11 @@ static inline float stratiform_phase_angle(float coordinate) {
 // Row `row` at v, linear in the coordinate.
 static inline float stratiform_phase_lookup(uint32_t row, float v) {
     float place = stratiform_phase_coordinate(stratiform_arc(v)) * (float)(STRATIFORM_PHASE_COUNT - 1u);
-    uint32_t whole = (uint32_t)(place);
+    uint32_t whole = (uint32_t)place;
     uint32_t cell = (whole < STRATIFORM_PHASE_COUNT - 2u ? whole : STRATIFORM_PHASE_COUNT - 2u);
     float first = stratiform_phase_texel(row, cell);
     float second = stratiform_phase_texel(row, cell + 1u);
-    return first + (second - first) * (place - (float)(cell));
+    return first + (second - first) * (place - (float)cell);
 }
 
 // P of the full medium at v = 1 - cosTheta.

@@ -328,12 +328,12 @@ pub fn stratiform_phase_angle(coordinate: f32) -> f32 {
 
 /// Row `row` at v, linear in the coordinate.
 pub fn stratiform_phase_lookup(row: u32, v: f32) -> f32 {
-    let place: f32 = stratiform_phase_coordinate(stratiform_arc(v)) * (STRATIFORM_PHASE_COUNT - 1) as f32;
+    let place: f32 = stratiform_phase_coordinate(stratiform_arc(v)) * ((STRATIFORM_PHASE_COUNT - 1) as f32);
     let whole: u32 = place as u32;
     let cell: u32 = if whole < STRATIFORM_PHASE_COUNT - 2 { whole } else { STRATIFORM_PHASE_COUNT - 2 };
     let first: f32 = stratiform_phase_texel(row, cell);
     let second: f32 = stratiform_phase_texel(row, cell + 1);
-    first + (second - first) * (place - cell as f32)
+    first + (second - first) * (place - (cell as f32))
 }
 
 /// P of the full medium at v = 1 - cosTheta.

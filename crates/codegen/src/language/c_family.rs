@@ -274,8 +274,11 @@ impl Printer<'_> {
         let list: Vec<_> = arguments.iter().map(|argument| self.expr(argument)).collect();
         match (name, list.as_slice()) {
             ("select", [no, yes, condition]) => format!("({condition} ? {yes} : {no})"),
-            ("f32", [value]) if self.dialect.c => format!("({})({value})", self.dialect.float),
-            ("u32", [value]) if self.dialect.c => format!("({})({value})", self.dialect.uint),
+            ("f32" | "u32", [value]) if self.dialect.c => {
+                let kind = if name == "f32" { self.dialect.float } else { self.dialect.uint };
+                let name = matches!(arguments[0], Expr::Name(_));
+                if name { format!("({kind}){value}") } else { format!("({kind})({value})") }
+            }
             ("f32", [value]) => format!("{}({value})", self.dialect.float),
             ("u32", [value]) => format!("{}({value})", self.dialect.uint),
             _ => format!("{}({})", self.function_name(name), list.join(", ")),

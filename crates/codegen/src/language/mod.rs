@@ -17,6 +17,9 @@ mod rust;
 mod scope;
 mod syntax;
 mod target;
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+mod tests;
 mod token;
 
 pub use target::Target;

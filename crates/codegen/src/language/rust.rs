@@ -170,9 +170,9 @@ impl Printer<'_> {
         match value {
             Expr::Binary("+", left, right) => {
                 self.terms(left, parts);
-                parts.push(self.expr(right));
+                parts.push(self.part(right));
             }
-            other => parts.push(self.expr(other)),
+            other => parts.push(self.part(other)),
         }
     }
 
@@ -201,8 +201,16 @@ impl Printer<'_> {
             Expr::Field(inner, field) => format!("{}.{field}", self.expr(inner)),
             Expr::Group(inner) => format!("({})", self.expr(inner)),
             Expr::Unary(sign, inner) => format!("{sign}{}", self.expr(inner)),
-            Expr::Binary(sign, left, right) => format!("{} {sign} {}", self.expr(left), self.expr(right)),
+            Expr::Binary(sign, left, right) => format!("{} {sign} {}", self.part(left), self.part(right)),
             Expr::Call(name, arguments) => self.call(name, arguments),
+        }
+    }
+
+    /// Part of a sum or a comparison: `x as f32 < y` would be read as a type's arguments.
+    fn part(&self, expr: &Expr) -> String {
+        match expr {
+            Expr::Call(name, _) if name == "f32" || name == "u32" => format!("({})", self.expr(expr)),
+            _ => self.expr(expr),
         }
     }
 
