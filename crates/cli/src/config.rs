@@ -121,6 +121,20 @@ pub struct CodegenConfig {
     pub targets: Vec<Target>,
 }
 
+impl CodegenConfig {
+    fn validate(&self) -> Result<(), Fault> {
+        let twice = |(i, target): (usize, &Target)| self.targets[..i].contains(target);
+        let message = if self.targets.is_empty() {
+            "targets is empty: name at least one language, or leave the key out for all"
+        } else if self.targets.iter().enumerate().any(twice) {
+            "targets names a language twice"
+        } else {
+            return Ok(());
+        };
+        Err(Fault { key: Some("codegen.targets".to_owned()), message: message.to_owned() })
+    }
+}
+
 fn all_targets() -> Vec<Target> {
     Target::ALL.to_vec()
 }
@@ -186,6 +200,7 @@ impl Config {
         self.transport.validate(&self.optics)?;
         self.convergence.iter().try_for_each(|convergence| convergence.validate(&self.fit))?;
         self.check.validate()?;
+        self.codegen.validate()?;
         let kappa = 1e6
             * self.optics.number_density_per_cm3
             * PI

@@ -40,6 +40,8 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
         Command::Check(args) => commands::check::run(args, talk),
         Command::Reproduce(args) => commands::stages::reproduce(args, talk),
         Command::Report(args) => commands::report::run(args, talk),
+        Command::Completions(args) => commands::shell::completions(args),
+        Command::Man(args) => commands::shell::man(args),
     }
 }
 

@@ -7,6 +7,7 @@ pub mod optics;
 pub mod order_rows;
 pub mod radiance;
 pub mod report;
+pub mod shell;
 pub mod solve;
 pub mod stages;
 pub mod trace;
