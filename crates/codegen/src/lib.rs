@@ -2,7 +2,7 @@
 //!
 //! [`generate`] turns [`Inputs`] into named [`Files`], [`write`](fn@write) puts them into a folder, [`check`] compares a
 //! folder with them. Nothing is computed here but the interpolation between the table's rows and its error. The
-//! libraries are written once, in WGSL, and printed in the other languages by [`language`].
+//! libraries are written once, in WGSL, and printed in the other languages by [`language`]; [`usage`] shows each in use.
 //!
 //! | file | content |
 //! | --- | --- |
@@ -29,6 +29,7 @@ mod spirv;
 mod stale;
 mod tables;
 mod text;
+pub mod usage;
 
 pub use error::CodegenError;
 pub use error_card::{ErrorCard, error_card};
