@@ -93,8 +93,12 @@ pub struct ChannelMedium {
 pub struct About {
     /// The cloud's name.
     pub title: String,
-    /// The droplets' distribution, as in the config.
-    pub droplets: serde_json::Value,
+    /// The droplets' distribution in words.
+    pub droplets: String,
+    /// r_e.
+    pub effective_radius_um: f64,
+    /// v_e.
+    pub effective_variance: f64,
     /// Droplets per cm³.
     pub number_density_per_cm3: f64,
     /// θ_f in degrees.
