@@ -5,6 +5,7 @@ pub mod colour;
 pub mod diagnosis;
 mod error;
 pub mod nearest;
+pub mod parameters;
 pub mod peer;
 pub mod read;
 pub mod sampled;

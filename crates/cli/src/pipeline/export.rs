@@ -1,11 +1,13 @@
-//! What is exported of a config: its clouds' phase functions.
+//! What is exported of a config: its cloud's phase functions, and the accepted parameters.
 
-use super::input_error;
 use super::optics::{ensembles, optics_error};
+use super::{accepted, input_error};
 use crate::CliError;
 use crate::config::Config;
-use stratiform_artifact::Provenance;
+use std::path::Path;
+use stratiform_artifact::{ParametersDocument, Provenance, read_json};
 use stratiform_optics::ensemble::Ensemble;
+use stratiform_tables::parameters::ParameterTexels;
 use stratiform_tables::set::{About, Channel, ChannelMedium, PhaseSet};
 
 /// The three phase functions at every wavelength of the config.
@@ -17,6 +19,21 @@ pub fn phase_set(config: &Config) -> Result<PhaseSet, CliError> {
     let about = about(config, &ensembles)?;
     let full = ensembles.into_iter().map(|one| (Channel::WavelengthUm(one.wavelength_um), one.phase));
     PhaseSet::new(full.collect(), about).map_err(input_error)
+}
+
+/// The accepted parameters of the config at `path`; none if none were accepted yet.
+///
+/// # Errors
+/// [`CliError::Input`] naming a damaged file, or what is wrong with its rows.
+pub fn accepted_parameters(config: &Config, path: &Path) -> Result<Option<ParameterTexels>, CliError> {
+    let folder = path.parent().unwrap_or(Path::new(".")).join(&config.codegen.accepted);
+    let file = folder.join(accepted::FILES[0]);
+    if !file.exists() {
+        return Ok(None);
+    }
+    let document: ParametersDocument = read_json(&file)?;
+    let place = |error| input_error(error).at(&file.display().to_string());
+    ParameterTexels::new(&document).map(Some).map_err(place)
 }
 
 fn about(config: &Config, ensembles: &[Ensemble]) -> Result<About, CliError> {

@@ -20,13 +20,13 @@ const FLOAT_SIGNED: u8 = 0xC0;
 
 /// Four channels in rows.
 pub(super) struct Texture {
-    pub(super) width: usize,
+    width: usize,
     /// RGBA after RGBA, row after row.
-    pub(super) values: Vec<f64>,
+    values: Vec<f64>,
     /// BT.709 primaries, or none.
-    pub(super) srgb: bool,
+    srgb: bool,
     /// Keys in rising order.
-    pub(super) texts: Vec<(String, String)>,
+    texts: [(&'static str, String); 4],
 }
 
 /// The set as KTX2, `VK_FORMAT_R32G32B32A32_SFLOAT` or `VK_FORMAT_R16G16B16A16_SFLOAT`.
@@ -48,16 +48,23 @@ pub fn phase_ktx2(set: &SampledSet, precision: Precision) -> Result<Vec<u8>, Tab
         }
     }
     let srgb = set.channels.iter().all(|channel| matches!(channel, Channel::LinearSrgb(_)));
-    let texts = vec![
-        ("KTXorientation".to_owned(), "rd".to_owned()),
-        ("KTXwriter".to_owned(), format!("stratiform {}", env!("CARGO_PKG_VERSION"))),
-        ("stratiform".to_owned(), Metadata::new(set).line()?),
-        ("stratiformRows".to_owned(), line(&rows)?),
-    ];
-    Texture { width: set.texels, values, srgb, texts }.bytes(precision)
+    let texts = [Metadata::new(set).line()?, line(&rows)?];
+    Texture::new(set.texels, values, srgb, texts).bytes(precision)
 }
 
 impl Texture {
+    /// With the keys `stratiform` and `stratiformRows` beside the format's own.
+    pub(super) fn new(width: usize, values: Vec<f64>, srgb: bool, [metadata, rows]: [String; 2]) -> Self {
+        let writer = format!("stratiform {}", env!("CARGO_PKG_VERSION"));
+        let texts = [
+            ("KTXorientation", "rd".to_owned()),
+            ("KTXwriter", writer),
+            ("stratiform", metadata),
+            ("stratiformRows", rows),
+        ];
+        Self { width, values, srgb, texts }
+    }
+
     pub(super) fn bytes(&self, precision: Precision) -> Result<Vec<u8>, TablesError> {
         let (format, size) = match precision {
             Precision::F16 => (97_u32, 2),
