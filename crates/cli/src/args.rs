@@ -2,6 +2,7 @@
 
 mod check;
 mod shell;
+mod export;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -10,6 +11,7 @@ use std::path::PathBuf;
 pub use crate::solve_args::SolveArgs;
 pub use check::CheckArgs;
 pub use shell::{CompletionsArgs, ManArgs};
+pub use export::{ExportArgs, Format};
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -51,6 +53,8 @@ pub enum Command {
     Fit(StageArgs),
     /// Emit shader libraries, C, Rust, JSON and CSV from the accepted parameters; `--check` proves the emitted text fresh.
     Codegen(CodegenArgs),
+    /// Write phase functions and parameters as others load them, and print what each file is worth.
+    Export(ExportArgs),
     /// Hold the accepted table, the tracer, or another implementation's values against the truth; for CI.
     Check(CheckArgs),
     /// Every stage, then the report: from droplets to shader tables.

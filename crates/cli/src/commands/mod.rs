@@ -2,6 +2,7 @@
 
 pub mod check;
 pub mod codegen;
+pub mod export;
 pub mod mie;
 pub mod optics;
 pub mod order_rows;
