@@ -29,7 +29,7 @@ pub fn colour_error(spectrum: &[(f64, PhaseTable)]) -> Result<Option<ColourError
         return Ok(None);
     }
     let last = spectrum.len() - 1;
-    let keep = |i: &usize| i % 2 == 0 || *i == last;
+    let keep = |i: &usize| i.is_multiple_of(2) || *i == last;
     let kept: Vec<(f64, PhaseTable)> = (0..=last).filter(keep).map(|i| spectrum[i].clone()).collect();
     Ok(Some(largest_change(&full, &srgb_phase(&kept)?, kept.len())))
 }
