@@ -1,21 +1,14 @@
-//! Phase functions that are piecewise linear in μ = cosΘ, as renderers tabulate them.
+//! Phase functions that are piecewise linear in μ = cosΘ, as programs tabulate them.
 //!
-//! Equidistant in μ: the value at a node is the mean of P under the node's tent, so integral and shape of the peak's foot
-//! stay right where the nodes are too coarse for the peak itself. Irregular: the table's own nodes, halved until P at the
-//! middle (in Θ) of every cell is right to 1e-4, with cosines that are different in f32.
+//! Equidistant in μ: the least-squares fit to P ([`tents`](super::tents)), whose integral is that of P. Irregular: the
+//! table's own nodes, halved until P at the middle (in Θ) of every cell is right to 1e-4, with cosines that are
+//! different in f32.
 
-use super::Reconstruction;
+use super::{Reconstruction, tents};
 use stratiform_optics::phase::PhaseTable;
 
 /// Relative error of the irregular form inside a cell.
 const REFINEMENT: f64 = 1e-4;
-
-/// Pieces of the quadrature are no wider, radians: three Gauss points are exact to rounding there.
-const WIDEST: f64 = 0.05;
-
-/// Gauss–Legendre on \[-1, 1\], three points.
-const GAUSS: [(f64, f64); 3] =
-    [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
 
 /// P at ascending μ from -1 to 1, linear between.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,12 +20,9 @@ pub(super) struct OverCosine {
 impl OverCosine {
     /// `count` ≥ 2 nodes at equal steps of μ.
     pub(super) fn equidistant(table: &PhaseTable, count: usize) -> Self {
-        let last = (count - 1) as f64;
-        let mut mass = tent_integrals(table, count);
-        mass.reverse();
-        let step = 2.0 / last;
-        let end = |i: usize| if i == 0 || i == count - 1 { 0.5 } else { 1.0 };
-        let p = mass.iter().enumerate().map(|(i, mass)| mass / (end(i) * step)).collect();
+        let step = 2.0 / (count - 1) as f64;
+        let mut p = tents::fit(table, count);
+        p.reverse();
         Self { mu: (0..count).map(|i| -1.0 + i as f64 * step).collect(), p }
     }
 
@@ -87,33 +77,6 @@ impl OverCosine {
             self.at(theta) / integral
         })
     }
-}
-
-/// ∫P φ_j dμ of the tents φ_j around the nodes 1 - μ = 2j/(count - 1).
-fn tent_integrals(table: &PhaseTable, count: usize) -> Vec<f64> {
-    let last = (count - 1) as f64;
-    let mut breaks: Vec<f64> = (0..count).map(|j| 2.0 * libm::asin((j as f64 / last).sqrt())).collect();
-    breaks.extend_from_slice(table.theta_rad());
-    breaks.sort_by(f64::total_cmp);
-    let mut mass = vec![0.0; count];
-    for cell in breaks.windows(2).filter(|cell| cell[1] > cell[0]) {
-        let pieces = ((cell[1] - cell[0]) / WIDEST).ceil();
-        let half = 0.5 * (cell[1] - cell[0]) / pieces;
-        for piece in 0..pieces as usize {
-            let middle = cell[0] + half * (2 * piece + 1) as f64;
-            for (node, weight) in GAUSS {
-                let theta = middle + half * node;
-                let sine = libm::sin(0.5 * theta);
-                let place = sine * sine * last;
-                let j = (place as usize).min(count - 2);
-                let part = weight * half * table.at(theta) * libm::sin(theta);
-                let t = place - j as f64;
-                mass[j] += (1.0 - t) * part;
-                mass[j + 1] += t * part;
-            }
-        }
-    }
-    mass
 }
 
 /// Θ in radians and P, both values where the table jumps; cells are halved until they are linear in μ.

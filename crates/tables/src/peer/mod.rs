@@ -13,6 +13,7 @@ pub mod eradiate;
 pub mod mcx;
 pub mod mitsuba;
 mod reconstruction;
+mod tents;
 mod text;
 
 pub use reconstruction::Reconstruction;
