@@ -1,14 +1,14 @@
 //! Phase functions that are piecewise linear in μ = cosΘ, as programs tabulate them.
 //!
 //! Equidistant in μ: the least-squares fit to P ([`tents`](super::tents)), whose integral is that of P. Irregular: the
-//! table's own nodes, halved until P at the middle (in Θ) of every cell is right to 1e-4, with cosines that are
+//! table's own nodes, halved until P at the middle (in Θ) of every cell is right to 3e-5, with cosines that are
 //! different in f32.
 
 use super::{Reconstruction, tents};
 use stratiform_optics::phase::PhaseTable;
 
 /// Relative error of the irregular form inside a cell.
-const REFINEMENT: f64 = 1e-4;
+const REFINEMENT: f64 = 3e-5;
 
 /// P at ascending μ from -1 to 1, linear between.
 #[derive(Clone, Debug, PartialEq)]
