@@ -200,7 +200,7 @@ fn grey() -> SrgbPhase {
 /// Bevy: columns at equal steps of μ, forward last, per steradian.
 #[test]
 fn bevys_texture_is_per_steradian_with_forward_last() {
-    let (table, file) = (hg(), bevy::chromatic_texture(&grey(), 4097).unwrap());
+    let (table, file) = (hg(), bevy::chromatic_texture(&grey(), 4097, 256).unwrap());
     let texels = &file.content;
     let nodes = equidistant(texels.len());
     for channel in 0..3 {
@@ -214,15 +214,48 @@ fn bevys_texture_is_per_steradian_with_forward_last() {
     assert!(texels.iter().all(|texel| texel[3] == 1.0));
 }
 
+/// Bevy's medium: the curve at 256 texels' centres, fetched with a linear, clamping sampler.
+#[test]
+fn bevys_own_table_is_what_is_reported() {
+    let (table, resolution) = (hg(), 256);
+    let file = bevy::chromatic_texture(&grey(), 8192, resolution).unwrap();
+    let nodes = equidistant(8192);
+    let curve: Vec<f64> =
+        file.content.iter().map(|texel| 4.0 * std::f64::consts::PI * f64::from(texel[0])).collect();
+    let texels: Vec<f64> = (0..resolution)
+        .map(|j| {
+            let s = 2.0 * (j as f64 + 0.5) / resolution as f64 - 1.0;
+            lookup(&nodes, &curve, s.signum() * (1.0 - libm::pow(1.0 - s.abs(), 2.0)))
+        })
+        .collect();
+    let fetch = |mu: f64| {
+        let v = 0.5 + 0.5 * mu.signum() * (1.0 - libm::pow(1.0 - mu.abs(), 0.5));
+        let place = (v * resolution as f64 - 0.5).clamp(0.0, resolution as f64 - 1.0);
+        let j = (place as usize).min(resolution - 2);
+        texels[j] + (place - j as f64) * (texels[j + 1] - texels[j])
+    };
+    let quality = file.quality[0];
+    assert!((fetch(1.0) / table.at(0.0) - 1.0 - quality.peak_error).abs() < 1e-6, "{quality:?}");
+    assert!(disagreement(&table, fetch) < quality.largest_error + 1e-6);
+    let mu = equidistant(2_000_001);
+    let p: Vec<f64> = mu.iter().map(|mu| fetch(*mu)).collect();
+    let moment: Vec<f64> = mu.iter().zip(&p).map(|(mu, p)| mu * p).collect();
+    assert!((0.5 * trapezoid(&mu, &p) - quality.integral).abs() < 1e-7, "{quality:?}");
+    assert!(
+        (0.5 * trapezoid(&mu, &moment) / quality.integral - quality.asymmetry).abs() < 1e-7,
+        "{quality:?}"
+    );
+}
+
 #[test]
 fn bevy_is_refused_negative_channels_and_too_many_columns() {
     let mut colour = grey();
     colour.rgb[7][2] = -1e-9;
-    assert!(bevy::chromatic_texture(&colour, 512).unwrap_err().to_string().contains("p = -0.000000001"));
-    assert!(bevy::chromatic_texture(&grey(), 8193).is_err());
+    assert!(bevy::chromatic_texture(&colour, 512, 256).unwrap_err().to_string().contains("p = -0.000000001"));
+    assert!(bevy::chromatic_texture(&grey(), 8193, 256).is_err());
     let mut colour = grey();
     colour.rgb.iter_mut().for_each(|rgb| rgb[0] *= 1.02);
-    assert!(bevy::chromatic_texture(&colour, 512).unwrap_err().to_string().contains("norm is 1.0"));
+    assert!(bevy::chromatic_texture(&colour, 512, 256).unwrap_err().to_string().contains("norm is 1.0"));
 }
 
 fn wavelength(wavelength_um: f64, phase: &PhaseTable) -> eradiate::Wavelength<'_> {
