@@ -1,1 +1,3 @@
 //! What is wrong with a phase table or with constants.
+
+pub mod landmarks;
