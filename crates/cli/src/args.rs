@@ -1,6 +1,7 @@
 //! The command line exactly as typed. Turning it into checked objects is the commands' work.
 
 mod check;
+mod phase_check;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -8,6 +9,7 @@ use std::path::PathBuf;
 
 pub use crate::solve_args::SolveArgs;
 pub use check::CheckArgs;
+pub use phase_check::PhaseCheckArgs;
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -51,6 +53,8 @@ pub enum Command {
     Codegen(CodegenArgs),
     /// Hold the accepted table, the tracer, or another implementation's values against the truth; for CI.
     Check(CheckArgs),
+    /// Say what is wrong with somebody's phase table or constants.
+    PhaseCheck(PhaseCheckArgs),
     /// Every stage, then the report: from droplets to shader tables.
     Reproduce(StageArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.

@@ -38,6 +38,7 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
         Command::Fit(args) => commands::stages::fit(args, talk),
         Command::Codegen(args) => commands::codegen::run(args, talk),
         Command::Check(args) => commands::check::run(args, talk),
+        Command::PhaseCheck(args) => commands::phase_check::run(args),
         Command::Reproduce(args) => commands::stages::reproduce(args, talk),
         Command::Report(args) => commands::report::run(args, talk),
     }

@@ -5,6 +5,7 @@ pub mod codegen;
 pub mod mie;
 pub mod optics;
 pub mod order_rows;
+pub mod phase_check;
 pub mod radiance;
 pub mod report;
 pub mod solve;

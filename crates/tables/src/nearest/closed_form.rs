@@ -40,7 +40,10 @@ mod tests {
         let w = 0.026914 * (ln - libm::cos(5.68947 * (libm::log(ln) - 0.0292149))) + 0.376475;
         let blend = jendersie_deon(5.0).unwrap();
         assert!((blend.g1 - g1).abs() < 2e-3 && (blend.g2 - g2).abs() < 6e-3, "{blend:?} {g1} {g2}");
-        assert!((blend.w - w).abs() < 7e-3 && (blend.alpha / alpha - 1.0).abs() < 0.06, "{blend:?} {w} {alpha}");
+        assert!(
+            (blend.w - w).abs() < 7e-3 && (blend.alpha / alpha - 1.0).abs() < 0.06,
+            "{blend:?} {w} {alpha}"
+        );
     }
 
     #[test]

@@ -50,7 +50,9 @@ pub fn nearest(
     }
     let rows = found
         .into_iter()
-        .map(|(family, by, blend)| Ok(NearestRow::new(family, by, blend, &measure(table, blend, theta_f_deg)?)))
+        .map(|(family, by, blend)| {
+            Ok(NearestRow::new(family, by, blend, &measure(table, blend, theta_f_deg)?))
+        })
         .collect::<Result<_, TablesError>>()?;
     Ok(NearestPhases { theta_f_deg, rows })
 }

@@ -108,7 +108,8 @@ const ITERATIONS: u64 = 600;
 /// [`TablesError::Container`] if the search itself fails.
 pub fn fit(table: &PhaseTable, family: Family, objective: Objective) -> Result<Blend, TablesError> {
     let sphere = Sphere::new(table);
-    let fault = |error: Error| TablesError::Container { format: "nearest phase function", reason: error.to_string() };
+    let fault =
+        |error: Error| TablesError::Container { format: "nearest phase function", reason: error.to_string() };
     let mut best: Option<(f64, Vec<f64>)> = None;
     for start in family.starts(table.asymmetry()) {
         let distance = Distance { sphere: &sphere, family, objective };
@@ -116,7 +117,9 @@ pub fn fit(table: &PhaseTable, family: Family, objective: Objective) -> Result<B
         let run = Executor::new(distance, solver).configure(|state| state.max_iters(ITERATIONS)).ctrlc(false);
         let state = run.run().map_err(fault)?.state;
         let cost = state.get_best_cost();
-        if let Some(x) = state.get_best_param().filter(|_| best.as_ref().is_none_or(|(least, _)| cost < *least)) {
+        if let Some(x) =
+            state.get_best_param().filter(|_| best.as_ref().is_none_or(|(least, _)| cost < *least))
+        {
             best = Some((cost, x.clone()));
         }
     }

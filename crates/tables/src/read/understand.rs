@@ -94,7 +94,9 @@ impl Understanding {
         let plain = PhaseTable::new(raw.theta_deg.clone(), raw.value.clone(), Norm::Any)?;
         let integral = integral(&raw.value, &plain);
         let mirrored = match mie {
-            Some(mie) => (mie.asymmetry() - plain.asymmetry()).abs() > (mie.asymmetry() + plain.asymmetry()).abs(),
+            Some(mie) => {
+                (mie.asymmetry() - plain.asymmetry()).abs() > (mie.asymmetry() + plain.asymmetry()).abs()
+            }
             None => plain.asymmetry() < MIRRORED_BELOW,
         };
         let scale = mie.map(|mie| scale(raw, mirrored, mie));
