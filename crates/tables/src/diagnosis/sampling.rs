@@ -47,7 +47,7 @@ pub fn trapezoids(table: &PhaseTable, up_to_deg: f64) -> f64 {
 /// The table without every second row; both ends stay.
 fn half(table: &PhaseTable) -> Option<PhaseTable> {
     let last = table.values().len() - 1;
-    let kept = |i: &usize| i % 2 == 0 || *i == last;
+    let kept = |i: &usize| i.is_multiple_of(2) || *i == last;
     let take = |list: &[f64]| -> Vec<f64> { (0..=last).filter(kept).map(|i| list[i]).collect() };
     PhaseTable::new(take(table.theta_deg()), take(table.values()), Norm::Any).ok()
 }

@@ -28,16 +28,42 @@ pub fn jendersie_deon(diameter_um: f64) -> Result<Blend, DomainError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::collections::HashMap;
 
-    /// The same paper's fit for 1.5 µm ≤ d ≤ 5 µm, written independently of the one above, meets it at 5 µm: two pieces
-    /// fitted to one function. A wrong coefficient in either opens a gap.
+    fn coefficients() -> HashMap<String, f64> {
+        let rows =
+            stratiform_reference_data::rows::<(String, f64)>("jendersie-deon-2023", "coefficients.csv");
+        rows.unwrap().into_iter().collect()
+    }
+
+    #[test]
+    fn the_coefficients_are_those_published() {
+        let all = coefficients();
+        let c = |name: &str| all[&format!("large_{name}")];
+        for d in [5.0, 14.0, 50.0] {
+            let blend = jendersie_deon(d).unwrap();
+            let expected = [
+                libm::exp(-c("g_hg_1") / (d - c("g_hg_2"))),
+                libm::exp(-c("g_d_1") / (d + c("g_d_2")) - c("g_d_3")),
+                libm::exp(c("alpha_1") - c("alpha_2") / (d + c("alpha_3"))),
+                libm::exp(-c("w_d_1") / (d - c("w_d_2")) - c("w_d_3")),
+            ];
+            assert_eq!([blend.g1, blend.g2, blend.alpha, blend.w], expected);
+        }
+    }
+
+    /// The same paper's fit for 1.5 µm ≤ d < 5 µm, of another form, meets it at 5 µm: a coefficient wrong in either would open
+    /// a gap.
     #[test]
     fn it_meets_the_fit_for_smaller_droplets() {
-        let ln = libm::log(5.0);
-        let alpha = 7.30354 * ln + 6.31675;
-        let g2 = 0.500411 - 0.081287 / (-2.0 * ln + libm::tan(ln) + 1.27551);
-        let g1 = 0.0604931 * libm::log(ln) + 0.940256;
-        let w = 0.026914 * (ln - libm::cos(5.68947 * (libm::log(ln) - 0.0292149))) + 0.376475;
+        let all = coefficients();
+        let c = |name: &str| all[&format!("small_{name}")];
+        let l = libm::log(5.0);
+        let g1 = c("g_hg_1") * libm::log(l) + c("g_hg_2");
+        let g2 = c("g_d_1") - c("g_d_2") / (-2.0 * l + libm::tan(l) + c("g_d_3"));
+        let alpha = c("alpha_1") * l + c("alpha_2");
+        let wave = libm::cos(c("w_d_2") * (libm::log(l) - c("w_d_3")));
+        let w = c("w_d_1") * (l - wave) + c("w_d_4");
         let blend = jendersie_deon(5.0).unwrap();
         assert!((blend.g1 - g1).abs() < 2e-3 && (blend.g2 - g2).abs() < 6e-3, "{blend:?} {g1} {g2}");
         assert!(
