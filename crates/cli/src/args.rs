@@ -1,8 +1,9 @@
 //! The command line exactly as typed. Turning it into checked objects is the commands' work.
 
 mod check;
-mod shell;
 mod export;
+mod phase_check;
+mod shell;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -10,8 +11,9 @@ use std::path::PathBuf;
 
 pub use crate::solve_args::SolveArgs;
 pub use check::CheckArgs;
-pub use shell::{CompletionsArgs, ManArgs};
 pub use export::{ExportArgs, Format};
+pub use phase_check::PhaseCheckArgs;
+pub use shell::{CompletionsArgs, ManArgs};
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -57,6 +59,8 @@ pub enum Command {
     Export(ExportArgs),
     /// Hold the accepted table, the tracer, or another implementation's values against the truth; for CI.
     Check(CheckArgs),
+    /// Say what is wrong with somebody's phase table or constants.
+    PhaseCheck(PhaseCheckArgs),
     /// Every stage, then the report: from droplets to shader tables.
     Reproduce(StageArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
