@@ -3,7 +3,8 @@
 use super::library::{Output, Run};
 use super::tools::{Scratch, ToolError};
 
-const METAL_LIBRARY: &str = include_str!("drivers/metal_stdlib");
+/// What stands in for Metal's library.
+pub const METAL_LIBRARY: &str = include_str!("drivers/metal_stdlib");
 
 /// Warnings that users' builds may have on, all of them errors here.
 const WARNINGS: [&str; 7] =
