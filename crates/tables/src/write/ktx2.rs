@@ -5,10 +5,10 @@
 //! `stratiformRows` what each row's R, G, B and A are.
 
 use super::metadata::line;
+use super::precision::half;
 use super::{Metadata, Precision};
 use crate::TablesError;
 use crate::set::{Channel, SampledSet};
-use half::f16;
 
 const MAGIC: [u8; 12] = *b"\xABKTX 20\xBB\r\n\x1A\n";
 /// Magic, header, and the index of one level.
@@ -102,7 +102,7 @@ impl Texture {
 
 fn component(value: f64, size: u8) -> Vec<u8> {
     match size {
-        2 => f16::from_f64(value).to_le_bytes().to_vec(),
+        2 => half(value).to_le_bytes().to_vec(),
         _ => (value as f32).to_le_bytes().to_vec(),
     }
 }
