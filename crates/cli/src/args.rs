@@ -2,6 +2,8 @@
 
 mod check;
 mod export;
+mod phase_check;
+mod shell;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -10,6 +12,8 @@ use std::path::PathBuf;
 pub use crate::solve_args::SolveArgs;
 pub use check::CheckArgs;
 pub use export::{ExportArgs, Format};
+pub use phase_check::PhaseCheckArgs;
+pub use shell::{CompletionsArgs, ManArgs};
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -49,16 +53,22 @@ pub enum Command {
     Solve(SolveArgs),
     /// Fit the one-dimensional model to the tracer, with errors and flags.
     Fit(StageArgs),
-    /// Emit WGSL, JSON and CSV from the accepted parameters; `--check` proves the emitted text fresh.
+    /// Emit shader libraries, C, Rust, JSON and CSV from the accepted parameters; `--check` proves the emitted text fresh.
     Codegen(CodegenArgs),
     /// Write phase functions and parameters as others load them, and print what each file is worth.
     Export(ExportArgs),
     /// Hold the accepted table, the tracer, or another implementation's values against the truth; for CI.
     Check(CheckArgs),
+    /// Say what is wrong with somebody's phase table or constants.
+    PhaseCheck(PhaseCheckArgs),
     /// Every stage, then the report: from droplets to shader tables.
     Reproduce(StageArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
+    /// Completion script of a shell.
+    Completions(CompletionsArgs),
+    /// Manual pages.
+    Man(ManArgs),
 }
 
 /// `stratiform mie`.
