@@ -33,7 +33,7 @@ pub(super) struct Texture {
 ///
 /// # Errors
 /// [`TablesError::Domain`] for values that the format cannot hold: f16 ends at 65504, which the peak of droplets
-/// beyond some 25 µm exceeds; [`TablesError::Container`] for f64, which is no texture format.
+/// beyond some 25 µm at 0.45 µm exceeds; [`TablesError::Container`] for f64, which is no texture format.
 pub fn phase_ktx2(set: &SampledSet, precision: Precision) -> Result<Vec<u8>, TablesError> {
     precision.check_set(set)?;
     let groups: Vec<usize> = (0..set.channels.len()).step_by(4).collect();
