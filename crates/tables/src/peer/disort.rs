@@ -5,8 +5,10 @@
 //! program reconstructs, without delta-M, is the truncated sum Σ(2l+1)χ_l P_l(μ): its g is exact, its peak too low, and
 //! with too few moments it swings below zero.
 
-use super::{PeerFile, Reconstruction};
+use super::PeerFile;
 use crate::TablesError;
+use crate::card::Card;
+use crate::sampled::Quadrature;
 use stratiform_optics::phase::{PhaseFunction, PhaseTable};
 use stratiform_quantities::Range;
 
@@ -25,8 +27,15 @@ pub fn pmom(table: &PhaseTable, count: usize) -> Result<PeerFile<String>, Tables
     let content = format!(
         "# PMOM: Legendre moments chi_0, chi_1, ... without the factor 2l+1; {count} of them\n{lines}"
     );
-    let quality = Reconstruction::new(table, 1.0, chi[1], |theta| sum(&chi, libm::cos(theta)));
-    Ok(PeerFile { content, quality: vec![quality] })
+    Ok(PeerFile { content, cards: vec![card(table, &chi)] })
+}
+
+/// The sum rings everywhere: no angle is left out.
+fn card(table: &PhaseTable, chi: &[f64]) -> Card {
+    let steps = 2 * chi.len();
+    let nodes = (0..=steps).map(|i| 180.0 * i as f64 / steps as f64);
+    let quadrature = Quadrature::between(table, nodes);
+    Card::of_look_up(table, &quadrature, |_| true, |theta_deg| sum(chi, libm::cos(theta_deg.to_radians())))
 }
 
 /// Σ(2l+1)χ_l P_l(μ).
