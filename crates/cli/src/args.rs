@@ -1,8 +1,8 @@
 //! The command line exactly as typed. Turning it into checked objects is the commands' work.
 
 mod check;
-mod shell;
 mod export;
+mod shell;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -10,8 +10,8 @@ use std::path::PathBuf;
 
 pub use crate::solve_args::SolveArgs;
 pub use check::CheckArgs;
-pub use shell::{CompletionsArgs, ManArgs};
 pub use export::{ExportArgs, Format};
+pub use shell::{CompletionsArgs, ManArgs};
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]

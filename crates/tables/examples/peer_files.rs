@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn bytes(file: PeerFile<String>) -> PeerFile<Vec<u8>> {
-    PeerFile { content: file.content.into_bytes(), cards: file.cards }
+    PeerFile { content: file.content.into_bytes(), values: file.values, cards: file.cards }
 }
 
 fn write_source(path: &Path, table: &PhaseTable) -> Result<(), Box<dyn Error>> {

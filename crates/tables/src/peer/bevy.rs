@@ -27,8 +27,8 @@ pub const RESOLUTION: Range = Range::closed(2.0, 8192.0);
 /// The texels of `columns` columns, back to forward, for a medium with that `phase_resolution`; alpha is 1.
 ///
 /// # Errors
-/// [`TablesError::Domain`] unless `columns` and `phase_resolution` are in \[2, 8192\]; [`TablesError::Optics`] for a channel
-/// that is negative or not normalised.
+/// [`TablesError::Domain`] unless `columns` and `phase_resolution` are in \[2, 8192\], and for a negative channel;
+/// [`TablesError::Optics`] for one that is not normalised.
 pub fn chromatic_texture(
     colour: &SrgbPhase,
     columns: usize,
@@ -36,6 +36,8 @@ pub fn chromatic_texture(
 ) -> Result<PeerFile<Vec<[f32; 4]>>, TablesError> {
     COLUMNS.check("columns of the phase texture", columns as f64)?;
     RESOLUTION.check("phase_resolution", phase_resolution as f64)?;
+    let (least, theta_deg) = colour.smallest_channel();
+    Range::at_least(0.0).check(&format!("channel of linear sRGB at {theta_deg} degrees"), least)?;
     let mut content = vec![[1.0; 4]; columns];
     let mut cards = Vec::with_capacity(3);
     for channel in 0..3 {
@@ -45,7 +47,7 @@ pub fn chromatic_texture(
         content.iter_mut().zip(&over.p).for_each(|(texel, p)| texel[channel] = (p / (4.0 * PI)) as f32);
         cards.push(Lookup::new(&over, phase_resolution).card(&table));
     }
-    Ok(PeerFile { content, cards })
+    Ok(PeerFile { content, values: columns, cards })
 }
 
 /// Bevy's own table: P at the texels' centres, from back to forward.

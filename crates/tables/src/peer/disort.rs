@@ -27,7 +27,13 @@ pub fn pmom(table: &PhaseTable, count: usize) -> Result<PeerFile<String>, Tables
     let content = format!(
         "# PMOM: Legendre moments chi_0, chi_1, ... without the factor 2l+1; {count} of them\n{lines}"
     );
-    Ok(PeerFile { content, cards: vec![card(table, &chi)] })
+    Ok(PeerFile { content, values: count, cards: vec![card(table, &chi)] })
+}
+
+/// A number of moments, a power of two, in whose last eighth none is above 1e-6; 32768 if that is not enough.
+pub fn moments_for(table: &PhaseTable) -> usize {
+    let small = |count: usize| table.moments(count)[count - count / 8..].iter().all(|chi| chi.abs() < 1e-6);
+    (7..15).map(|k| 1 << k).find(|count| small(*count)).unwrap_or(1 << 15)
 }
 
 /// The sum rings everywhere: no angle is left out.

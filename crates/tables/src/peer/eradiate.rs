@@ -43,7 +43,8 @@ pub fn particle_properties(
     let over: Vec<OverCosine> = spectrum.iter().map(|one| OverCosine::irregular(one.phase)).collect();
     let content = dataset(spectrum, &over, moments).map_err(container)?;
     let cards = over.iter().zip(spectrum).map(|(over, one)| over.card(one.phase)).collect();
-    Ok(PeerFile { content, cards })
+    let values = over.iter().fold(0, |most, over| most.max(over.mu.len()));
+    Ok(PeerFile { content, values, cards })
 }
 
 fn check(spectrum: &[Wavelength<'_>], moments: usize) -> Result<(), TablesError> {

@@ -27,7 +27,7 @@ pub fn inverse_cdf(table: &PhaseTable, count: usize) -> Result<PeerFile<String>,
         Range::above(0.0).check("step of InverseCDF in f32", pair[1] - pair[0])?;
     }
     let content = format!("{{\"Domain\": {{\"InverseCDF\": [\n{}\n]}}}}\n", text::list(&mu, ",", ""));
-    Ok(PeerFile { content, cards: vec![card(table, &padded)] })
+    Ok(PeerFile { content, values: count, cards: vec![card(table, &padded)] })
 }
 
 /// μ at i/(n+1), rounded to f32.

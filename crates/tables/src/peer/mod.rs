@@ -12,9 +12,12 @@ pub mod disort;
 pub mod eradiate;
 pub mod mcx;
 pub mod mitsuba;
+mod program;
 mod tents;
 mod text;
 mod worth;
+
+pub use program::{NamedFile, Program};
 
 use crate::card::Card;
 
@@ -23,6 +26,8 @@ use crate::card::Card;
 pub struct PeerFile<T> {
     /// Text, bytes or texels.
     pub content: T,
+    /// Values of each phase function; of the longest if they differ.
+    pub values: usize,
     /// One for each phase function in it.
     pub cards: Vec<Card>,
 }
