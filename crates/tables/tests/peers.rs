@@ -244,11 +244,10 @@ fn bevys_own_table_is_what_is_reported() {
 fn bevy_is_refused_negative_channels_and_too_many_columns() {
     let mut colour = grey();
     colour.rgb[7][2] = -1e-9;
+    let message = bevy::chromatic_texture(&colour, 512, 256).unwrap_err().to_string();
     assert!(
-        bevy::chromatic_texture(&colour, 512, 256)
-            .unwrap_err()
-            .to_string()
-            .starts_with("channel of linear sRGB at 0.7 degrees = -0.000000001 is outside")
+        message.starts_with("channel of linear sRGB at 0.7") && message.contains("= -0.000000001 is"),
+        "{message}"
     );
     assert!(bevy::chromatic_texture(&grey(), 8193, 256).is_err());
     let mut colour = grey();

@@ -30,10 +30,16 @@ pub fn pmom(table: &PhaseTable, count: usize) -> Result<PeerFile<String>, Tables
     Ok(PeerFile { content, values: count, cards: vec![card(table, &chi)] })
 }
 
-/// A number of moments, a power of two, in whose last eighth none is above 1e-6; 32768 if that is not enough.
+/// A number of moments, a power of two from 128 to 8192, whose last eighth adds less than 1e-3 of P to the sum at 0° and
+/// at 180°; 8192 if that is not enough.
 pub fn moments_for(table: &PhaseTable) -> usize {
-    let small = |count: usize| table.moments(count)[count - count / 8..].iter().all(|chi| chi.abs() < 1e-6);
-    (7..15).map(|k| 1 << k).find(|count| small(*count)).unwrap_or(1 << 15)
+    let ends = [table.at(0.0), table.at(std::f64::consts::PI)];
+    let enough = |count: usize| {
+        let tail = table.moments(count).into_iter().enumerate().skip(count - count / 8);
+        let added = tail.fold(0.0, |sum, (l, chi)| sum + (2 * l + 1) as f64 * chi.abs());
+        ends.iter().all(|p| added < 1e-3 * p)
+    };
+    (7..13).map(|k| 1 << k).find(|count| enough(*count)).unwrap_or(1 << 13)
 }
 
 /// The sum rings everywhere: no angle is left out.
