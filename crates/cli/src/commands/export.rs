@@ -9,6 +9,7 @@ use serde::Serialize;
 use stratiform_artifact::{create_folder, write_atomic};
 use stratiform_tables::TablesError;
 use stratiform_tables::parameters::ParameterTexels;
+use stratiform_tables::peer::{NamedFile, Program};
 use stratiform_tables::sampled::TEXELS;
 use stratiform_tables::set::{NamedCard, PhaseSet, SampledSet};
 use stratiform_tables::write::{
@@ -107,12 +108,25 @@ fn files(format: Format, source: &Source) -> Result<Vec<File>, TablesError> {
         Format::Ktx2F16 => {
             source.pair("rgba16f.ktx2", F16, |set| phase_ktx2(set, F16), |table| parameters_ktx2(table, F16))
         }
+        Format::Mitsuba => source.peer(Program::Mitsuba),
+        Format::MitsubaIrregular => source.peer(Program::MitsubaIrregular),
+        Format::Eradiate => source.peer(Program::Eradiate),
+        Format::Mcx => source.peer(Program::Mcx),
+        Format::Disort => source.peer(Program::Disort),
+        Format::Bevy => source.peer(Program::Bevy),
     }
 }
 
 type Bytes = Result<Vec<u8>, TablesError>;
 
 impl Source {
+    /// Another program's files.
+    fn peer(&self, program: Program) -> Result<Vec<File>, TablesError> {
+        let file =
+            |file: NamedFile| File { name: file.name, bytes: file.bytes, worth: Worth::Cards(file.cards) };
+        Ok(program.files(&self.phase)?.into_iter().map(file).collect())
+    }
+
     /// The container of the phase functions, and that of the parameters if there are any.
     fn pair(
         &self,
