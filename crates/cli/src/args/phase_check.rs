@@ -11,7 +11,8 @@ use std::path::PathBuf;
     after_help = "Examples:\n  stratiform phase-check table.csv\n  \
                   stratiform phase-check mieplot.txt --file-wavelength 0.55 --config fit-configs/appendix-b.toml\n  \
                   stratiform phase-check --hg 0.85 --r-eff 7 --gamma 2 --wavelength 0.55 --json\n\
-                  FILE: columns of angle (degrees, radians or cosines) and value, with or without header, or MiePlot's text; or \
+                  FILE: columns of angle (degrees, radians or cosines) and value, with or without header; MiePlot's text; \
+                  Legendre coefficients of SHDOM's make_mie_table or libRadtran's mie; or \
                   constants in a file .toml or .json with the keys henyey_greenstein = G, blend = { w, g1, g2, alpha }, asymmetry, \
                   forward_fraction, extinction_per_m.\n\
                   Without droplets: unit, sign, normalisation, sampling, integral. With droplets also, against Mie: forward \
@@ -35,6 +36,9 @@ pub struct PhaseCheckArgs {
     /// Wavelength of the rows of FILE to take, as it stands there.
     #[arg(long, value_parser = finite, value_name = "LAMBDA", requires = "file")]
     pub file_wavelength: Option<f64>,
+    /// Effective radius of the Legendre coefficients of FILE to take, as it stands there.
+    #[arg(long, value_parser = finite, value_name = "RADIUS", requires = "file")]
+    pub file_r_eff: Option<f64>,
     /// Droplets, index and theta_f of this config; its transport's wavelength unless --wavelength says another.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["r_eff", "gamma", "n0"])]
     pub config: Option<PathBuf>,

@@ -176,7 +176,11 @@ fn look(
             None => None,
         },
         (None, Some(file)) => {
-            let choice = Choice { column: args.column.clone(), wavelength: args.file_wavelength };
+            let choice = Choice {
+                column: args.column.clone(),
+                wavelength: args.file_wavelength,
+                effective_radius: args.file_r_eff,
+            };
             Some(read(file, &choice).map_err(input_error)?)
         }
         (None, None) => None,

@@ -11,6 +11,8 @@ pub enum Layout {
     Columns,
     /// MiePlot's text.
     MiePlot,
+    /// Legendre coefficients of SHDOM's make_mie_table or libRadtran's mie.
+    Legendre,
 }
 
 /// Lines of text before the first row of numbers that still count as a header.

@@ -3,7 +3,8 @@
 //! Layouts: columns separated by commas, semicolons or white space, with or without a header, comments from `#`, `!`, `%`
 //! or `//` on (libRadtran, SHDOM's plotscattab, spreadsheets); and MiePlot's text, free lines up to one that begins
 //! with `Angle`, then angle, wavelength, perpendicular and parallel intensity up to a line of asterisks (columns as in the
-//! importer MiePlotImporter for Unreal Engine; unpolarised is the mean of both).
+//! importer MiePlotImporter for Unreal Engine; unpolarised is the mean of both); and Legendre coefficients as SHDOM's
+//! make_mie_table and libRadtran's mie list them, which are summed.
 //!
 //! The angle may be in degrees, radians or cosines; the range tells which, a header may contradict. Nothing is repaired
 //! on the way in: [`RawTable`] is the file, [`Understanding`] what is unusual about it, [`RawTable::table`] refuses what
@@ -14,6 +15,7 @@
 
 mod columns;
 mod layout;
+mod legendre;
 mod raw;
 mod understand;
 mod unit;
@@ -37,6 +39,8 @@ pub struct Choice {
     pub column: Option<String>,
     /// Wavelength of the rows to take, in the unit of the file, where a column holds it.
     pub wavelength: Option<f64>,
+    /// Effective radius of the Legendre coefficients to take, as it stands in the file.
+    pub effective_radius: Option<f64>,
 }
 
 /// Reads a phase table.
@@ -70,6 +74,9 @@ impl Fault {
 }
 
 fn parse(text: &str, choice: &Choice) -> Result<RawTable, Fault> {
+    if legendre::is_listing(text) {
+        return legendre::assemble(text, choice);
+    }
     let sheet = layout::sheet(text)?;
     let columns = columns::choose(&sheet, choice)?;
     raw::assemble(&sheet, &columns, choice)
