@@ -96,9 +96,9 @@ fn every_planted_fault_is_named_and_no_other() {
         ("forward-peak", changed(|theta, q| (theta, q.min(p(5.0)) / 0.59117))),
         // A smooth end instead of a glory.
         ("glory", changed(|theta, q| (theta, if theta < 170.0 { q } else { p(170.0) }))),
-        // The bow 2° nearer to the sun's side, with the light that it loses given back; the valley before it filled.
+        // The bow 2° nearer to the sun's side; the valley before it filled; the norm kept.
         ("fogbow-angle", normalised(changed(|theta, _| (theta, p(theta + 2.0 * hump(theta, 1.0)))))),
-        ("fogbow-contrast", changed(|theta, q| (theta, q * (1.0 + hump(theta + 30.0, 0.13))))),
+        ("fogbow-contrast", normalised(changed(|theta, q| (theta, q * (1.0 + hump(theta + 30.0, 0.13)))))),
     ];
     for (name, rows) in cases {
         assert_eq!(faults(&rows), [name]);

@@ -10,7 +10,7 @@ use stratiform_quantities::Asymmetry;
 use stratiform_quantities::angle_map::angle_deg;
 use stratiform_tables::nearest::{
     Blend, Family, NearestDocument, NearestPhases, NearestRow, Objective, fit, jendersie_deon, measure,
-    nearest,
+    nearest, nearest_diameter,
 };
 
 fn table_of(phase: &dyn PhaseFunction) -> PhaseTable {

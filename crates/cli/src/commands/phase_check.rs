@@ -75,7 +75,7 @@ pub fn run(args: &PhaseCheckArgs) -> Result<Data, CliError> {
         return Ok(data);
     }
     let wrong = document.faults.join(", ");
-    Err(CliError::Unmet { message: format!("{}: wrong are {wrong}", document.subject), data })
+    Err(CliError::Unmet { message: format!("{}: {wrong}", document.subject), data })
 }
 
 /// What is looked at.
