@@ -1,5 +1,7 @@
 //! What holds between the crates. The tests themselves are in `tests/`; here is what they share.
 
+pub mod languages;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use stratiform_artifact::ParametersDocument;

@@ -1,7 +1,9 @@
 //! The command line exactly as typed. Turning it into checked objects is the commands' work.
 
 mod check;
+mod export;
 mod phase_check;
+mod shell;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -9,7 +11,9 @@ use std::path::PathBuf;
 
 pub use crate::solve_args::SolveArgs;
 pub use check::CheckArgs;
+pub use export::{ExportArgs, Format};
 pub use phase_check::PhaseCheckArgs;
+pub use shell::{CompletionsArgs, ManArgs};
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -49,8 +53,10 @@ pub enum Command {
     Solve(SolveArgs),
     /// Fit the one-dimensional model to the tracer, with errors and flags.
     Fit(StageArgs),
-    /// Emit WGSL, JSON and CSV from the accepted parameters; `--check` proves the emitted text fresh.
+    /// Emit shader libraries, C, Rust, JSON and CSV from the accepted parameters; `--check` proves the emitted text fresh.
     Codegen(CodegenArgs),
+    /// Write phase functions and parameters as others load them, and print what each file is worth.
+    Export(ExportArgs),
     /// Hold the accepted table, the tracer, or another implementation's values against the truth; for CI.
     Check(CheckArgs),
     /// Say what is wrong with somebody's phase table or constants.
@@ -59,6 +65,10 @@ pub enum Command {
     Reproduce(StageArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
+    /// Completion script of a shell.
+    Completions(CompletionsArgs),
+    /// Manual pages.
+    Man(ManArgs),
 }
 
 /// `stratiform mie`.

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use std::path::Path;
 use stratiform_artifact::read_text;
+use stratiform_codegen::Target;
 use stratiform_fit::{FitConfig, FitError};
 use stratiform_optics::{OpticsConfig, OpticsError};
 use stratiform_quantities::{
@@ -115,6 +116,27 @@ pub struct CodegenConfig {
     pub accepted: String,
     /// Folder of the emitted text.
     pub output: String,
+    /// Languages to emit: wgsl, glsl-450, glsl-330, glsl-300es, hlsl, msl, c, rust, spirv. Default: all.
+    #[serde(default = "all_targets")]
+    pub targets: Vec<Target>,
+}
+
+impl CodegenConfig {
+    fn validate(&self) -> Result<(), Fault> {
+        let twice = |(i, target): (usize, &Target)| self.targets[..i].contains(target);
+        let message = if self.targets.is_empty() {
+            "targets is empty: name at least one language, or leave the key out for all"
+        } else if self.targets.iter().enumerate().any(twice) {
+            "targets names a language twice"
+        } else {
+            return Ok(());
+        };
+        Err(Fault { key: Some("codegen.targets".to_owned()), message: message.to_owned() })
+    }
+}
+
+fn all_targets() -> Vec<Target> {
+    Target::ALL.to_vec()
 }
 
 /// `[convergence]`.
@@ -178,6 +200,7 @@ impl Config {
         self.transport.validate(&self.optics)?;
         self.convergence.iter().try_for_each(|convergence| convergence.validate(&self.fit))?;
         self.check.validate()?;
+        self.codegen.validate()?;
         let kappa = 1e6
             * self.optics.number_density_per_cm3
             * PI

@@ -1,5 +1,6 @@
 //! What generation refuses.
 
+use crate::SubsetError;
 use stratiform_artifact::ArtifactError;
 use stratiform_model::ModelError;
 use stratiform_quantities::DomainError;
@@ -16,6 +17,15 @@ pub enum CodegenError {
     /// A file.
     #[error(transparent)]
     Artifact(#[from] ArtifactError),
+    /// Library text that the printer cannot translate.
+    #[error(transparent)]
+    Subset(#[from] SubsetError),
+    /// WGSL that is not valid.
+    #[error("the emitted WGSL is not valid: {message}")]
+    Shader {
+        /// What naga says.
+        message: String,
+    },
     /// No row for diffuse light.
     #[error("the parameter table has no row `diffuse`")]
     NoDiffuseRow,

@@ -1,48 +1,70 @@
-//! Shader modules and tables from fitted parameters and phase functions: deterministic text.
+//! Shader modules and tables from fitted parameters and phase functions: deterministic text in every target language.
 //!
-//! [`generate`] turns [`Inputs`] into named texts, [`write`](fn@write) puts them into a folder, [`check`] compares a folder
-//! with them. Nothing is computed here but the interpolation between the table's rows and its error.
+//! [`generate`] turns [`Inputs`] into named [`Files`], [`write`](fn@write) puts them into a folder, [`check`] compares a
+//! folder with them. Nothing is computed here but the interpolation between the table's rows and its error. The
+//! libraries are written once, in WGSL, and printed in the other languages by [`language`]; [`usage`] shows each in use.
 //!
 //! | file | content |
 //! | --- | --- |
-//! | `stratiform.wgsl` | the one-dimensional model over (μ_l, optical thickness), with its table |
-//! | `stratiform_phase.wgsl` | look-up of the phase functions in a storage buffer |
-//! | `stratiform_self_test.wgsl` | compute entry point that evaluates the model over a buffer |
+//! | `stratiform.*` | the one-dimensional model over (μ_l, optical thickness), with its table and self-test, a [`Target`] each |
+//! | `stratiform_phase.*` | look-up of the phase functions, likewise |
+//! | `stratiform_self_test.{wgsl,spv}` | compute entry point that evaluates the model over a buffer |
 //! | `self_test.json` | inputs for it and the f64 model's outputs |
 //! | `parameters.json`, `parameters.csv` | the parameters, with errors and flags |
 //! | `phase_full.csv`, `phase_modified.csv`, `phase_squared.csv` | P, P_S and P_S convolved with itself |
-//! | `phase_warped.csv` | the same on the shader's angle grid |
+//! | `phase_warped.csv` | the same on the angle map of `stratiform_quantities` |
 
+mod embedded_test;
 mod error;
 mod error_card;
+mod files;
 mod inputs;
+pub mod language;
 mod node_error;
 mod phase;
+mod phase_library;
 mod self_test;
 mod shader;
+mod spirv;
 mod stale;
 mod tables;
 mod text;
+pub mod usage;
 
 pub use error::CodegenError;
 pub use error_card::{ErrorCard, error_card};
+pub use files::Files;
 pub use inputs::{Inputs, PhaseRow, PhaseTables, QUANTITIES, ReferencePoint};
+pub use language::{SubsetError, Target};
 pub use node_error::leave_one_out;
 pub use self_test::{SelfTest, SelfTestVector, self_test_module};
 pub use stale::{REGENERATE, Stale, check, write};
 pub use tables::{diffuse_parameters, parameter_grid};
 
-use std::collections::BTreeMap;
-
-/// Every emitted file by name.
+/// Every file for the `targets`, and the tables.
 ///
 /// # Errors
 /// [`CodegenError`] if the inputs are out of domain, incomplete, or do not fit together.
-pub fn generate(inputs: &Inputs) -> Result<BTreeMap<String, String>, CodegenError> {
+pub fn generate(inputs: &Inputs, targets: &[Target]) -> Result<Files, CodegenError> {
     inputs.check()?;
-    let mut files = BTreeMap::from_iter(tables::files(inputs)?);
-    files.extend(phase::files(inputs)?);
-    files.extend(self_test::files(inputs)?);
-    files.insert("stratiform.wgsl".to_owned(), shader::module(inputs)?);
-    Ok(files)
+    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+    let tables = tables::files(inputs)?.into_iter().chain(phase::files(inputs)?);
+    files.extend(tables.map(|(name, text)| (name, text.into_bytes())));
+    files.push(("self_test.json".to_owned(), self_test::document(inputs)?.into_bytes()));
+    let fluxes = shader::library(inputs)?;
+    let libraries = [&fluxes, &phase_library::library(inputs)];
+    for (library, target) in libraries.iter().flat_map(|library| targets.iter().map(move |t| (library, *t))) {
+        if let (Some(text), Some(extension)) = (language::translate(library, target)?, target.extension()) {
+            files.push((format!("{}.{extension}", library.name), text.into_bytes()));
+        }
+    }
+    let kernel = self_test::kernel(inputs);
+    if targets.contains(&Target::Spirv) {
+        let module = spirv::module(&format!("{}\n{kernel}", fluxes.code))?;
+        files.push(("stratiform_self_test.spv".to_owned(), module));
+    }
+    if targets.contains(&Target::Wgsl) {
+        files.push(("stratiform_self_test.wgsl".to_owned(), kernel.into_bytes()));
+    }
+    Ok(files.into_iter().collect())
 }

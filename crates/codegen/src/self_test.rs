@@ -1,9 +1,8 @@
 //! Inputs on which emitted code is held against the f64 model, and the entry point that evaluates them.
 
 use crate::text::banner;
-use crate::{CodegenError, Inputs, diffuse_parameters, parameter_grid, tables::angles};
+use crate::{CodegenError, Files, Inputs, diffuse_parameters, parameter_grid, tables::angles};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 use stratiform_artifact::to_json;
 use stratiform_model::table::{ParameterGrid, cos_degrees};
 use stratiform_model::{Form, Parameters, Thickness};
@@ -77,22 +76,24 @@ pub(crate) fn vectors(inputs: &Inputs) -> Result<Vec<SelfTestVector>, CodegenErr
     Ok(vectors)
 }
 
-/// self_test.json and stratiform_self_test.wgsl.
-pub(crate) fn files(inputs: &Inputs) -> Result<Vec<(String, String)>, CodegenError> {
+/// self_test.json.
+pub(crate) fn document(inputs: &Inputs) -> Result<String, CodegenError> {
     let document = SelfTest {
         schema: "stratiform/self-test/1".to_owned(),
         inputs_hash: inputs.hash(),
         quantities: crate::QUANTITIES.map(str::to_owned).to_vec(),
         vectors: vectors(inputs)?,
     };
-    let shader = banner(inputs, "Entry point that evaluates stratiform.wgsl over a buffer.");
-    Ok(vec![
-        ("self_test.json".to_owned(), to_json(&document)?),
-        ("stratiform_self_test.wgsl".to_owned(), shader + "\n" + include_str!("wgsl/self_test.wgsl")),
-    ])
+    Ok(to_json(&document)?)
 }
 
-/// The model and the self-test's entry point as one module, ready to compile.
-pub fn self_test_module(files: &BTreeMap<String, String>) -> Option<String> {
-    Some(format!("{}\n{}", files.get("stratiform.wgsl")?, files.get("stratiform_self_test.wgsl")?))
+/// stratiform_self_test.wgsl.
+pub(crate) fn kernel(inputs: &Inputs) -> String {
+    let head = banner(inputs, "Entry point that evaluates stratiform.wgsl over a buffer.");
+    head + "\n" + include_str!("wgsl/self_test.wgsl")
+}
+
+/// The model and the self-test's entry point as one module, ready to compile; none if it was not emitted.
+pub fn self_test_module(files: &Files) -> Option<String> {
+    Some(format!("{}\n{}", files.text("stratiform.wgsl")?, files.text("stratiform_self_test.wgsl")?))
 }

@@ -1,22 +1,21 @@
-//! stratiform.wgsl: header, table, functions.
+//! The library of fluxes: header, table, functions, self-test.
 
 use crate::error_card::{STEEP_DEG, error_card};
+use crate::language::Library;
 use crate::tables::{angles, diffuse_values};
 use crate::text::{banner, fill, literal};
-use crate::{CodegenError, ErrorCard, Inputs, QUANTITIES, leave_one_out, self_test};
+use crate::{CodegenError, ErrorCard, Inputs, embedded_test, leave_one_out};
 use std::fmt::Write as _;
 use stratiform_model::table::cos_degrees;
 use stratiform_model::{Real, Values};
 
-/// The whole module.
-pub(crate) fn module(inputs: &Inputs) -> Result<String, CodegenError> {
-    let mut text =
+/// The whole library.
+pub(crate) fn library(inputs: &Inputs) -> Result<Library<'static>, CodegenError> {
+    let mut head =
         banner(inputs, "Fluxes of a stratiform layer: the one-dimensional model of Bouthors et al. 2006.");
-    text.push_str(&header(inputs)?);
-    text.push_str(&constants(inputs));
-    text.push_str(&functions(inputs)?);
-    text.push_str(&accessors());
-    Ok(text)
+    head.push_str(&header(inputs)?);
+    let code = constants(inputs) + &functions(inputs)? + &accessors() + &embedded_test::text(inputs)?;
+    Ok(Library { head, name: "stratiform", code, glue: None })
 }
 
 fn header(inputs: &Inputs) -> Result<String, CodegenError> {
@@ -24,6 +23,8 @@ fn header(inputs: &Inputs) -> Result<String, CodegenError> {
     let [thin, thick] = inputs.parameters.thickness_range_m.map(|h| h * medium.extinction_per_m);
     let mut text = format!(
         "//\n\
+         // Use        @USE@.\n\
+         // Check      stratiform_self_test() returns the number of wrong values: 0. All its vectors are in self_test.json.\n\
          // Units      tau is the extinction optical thickness of the full medium along the slab's normal, tau = kappa H.\n\
          //            mu_l = cos(theta_l), the sun's zenith angle. Fluxes are shares of the flux incident on the slab.\n\
          // Phase      1/2 integral of P over cosTheta is 1; cosTheta = +1 is forward.\n\
@@ -56,7 +57,6 @@ fn header(inputs: &Inputs) -> Result<String, CodegenError> {
         claimed,
     );
     push_flags(&mut text, inputs);
-    push_examples(&mut text, inputs)?;
     Ok(text)
 }
 
@@ -93,25 +93,11 @@ fn push_flags(text: &mut String, inputs: &Inputs) {
     }
 }
 
-/// A few self-test vectors, for whoever ports this by hand.
-fn push_examples(text: &mut String, inputs: &Inputs) -> Result<(), CodegenError> {
-    let _ = writeln!(
-        text,
-        "//\n// Self-test (all vectors in self_test.json): mu_l, tau -> {}",
-        QUANTITIES.join(", ")
-    );
-    for vector in self_test::vectors(inputs)?.iter().step_by(29) {
-        let fluxes: Vec<_> = vector.fluxes.iter().map(|flux| format!("{flux:.7e}")).collect();
-        let _ = writeln!(text, "//   {}, {} -> {}", vector.mu_l, vector.tau, fluxes.join(", "));
-    }
-    Ok(())
-}
-
 fn constants(inputs: &Inputs) -> String {
     let (medium, optical) = (&inputs.parameters.medium, &inputs.parameters.optical);
     let beta = optical.beta.value;
     format!(
-        "\n// (1 - beta) / beta: T_ms = (b + (1 - b) exp(-c tau)) / (1 + slope tau).\n\
+        "// (1 - beta) / beta: T_ms = (b + (1 - b) exp(-c tau)) / (1 + slope tau).\n\
          const STRATIFORM_SLOPE: f32 = {};\n\
          // Extinction of the modified medium per unit of tau.\n\
          const STRATIFORM_KAPPA_S: f32 = {};\n\
@@ -133,7 +119,7 @@ fn structure(values: &Values<f64>) -> String {
 }
 
 /// The cases of a switch, the last one as default.
-fn cases(values: &[String]) -> String {
+pub(crate) fn cases(values: &[String]) -> String {
     let last = values.len().saturating_sub(1);
     let case = |(i, value): (usize, &String)| {
         let label = if i == last { "default:".to_owned() } else { format!("case {i}u:") };
@@ -163,18 +149,20 @@ fn functions(inputs: &Inputs) -> Result<String, CodegenError> {
     Ok(fill(include_str!("wgsl/model.wgsl"), &places))
 }
 
-/// One function per flux, named without a final digit, which exporters would change.
+/// The members of StratiformFluxes.
+pub(crate) const FIELDS: [&str; 9] =
+    ["t_ms", "r_ms", "t_zero", "t_one", "t_two", "t_three_plus", "r_one", "r_two", "r_three_plus"];
+
+/// One function per flux.
 fn accessors() -> String {
-    let fields =
-        ["t_ms", "r_ms", "t_zero", "t_one", "t_two", "t_three_plus", "r_one", "r_two", "r_three_plus"];
     let mut text = "// ---- one flux at a time ".to_owned() + &"-".repeat(90) + "\n\n";
-    for field in fields {
+    for field in FIELDS {
         let _ = writeln!(
             text,
             "fn stratiform_{field}(mu_l: f32, tau: f32) -> f32 {{\n    return stratiform_beam(mu_l, tau).{field};\n}}\n"
         );
     }
-    for field in fields {
+    for field in FIELDS {
         let _ = writeln!(
             text,
             "fn stratiform_diffuse_{field}(tau: f32) -> f32 {{\n    return stratiform_diffuse(tau).{field};\n}}\n"

@@ -1,7 +1,6 @@
 //! Writing the generated files, and finding out whether a folder still holds them.
 
-use crate::CodegenError;
-use std::collections::BTreeMap;
+use crate::{CodegenError, Files};
 use std::fmt;
 use std::path::Path;
 use stratiform_artifact::{create_folder, write_atomic};
@@ -31,10 +30,10 @@ impl fmt::Display for Stale {
 ///
 /// # Errors
 /// [`CodegenError::Artifact`] if the folder or a file cannot be written.
-pub fn write(files: &BTreeMap<String, String>, folder: &Path) -> Result<(), CodegenError> {
+pub fn write(files: &Files, folder: &Path) -> Result<(), CodegenError> {
     create_folder(folder)?;
-    for (name, text) in files {
-        write_atomic(&folder.join(name), text.as_bytes())?;
+    for (name, bytes) in files.iter() {
+        write_atomic(&folder.join(name), bytes)?;
     }
     Ok(())
 }
@@ -43,14 +42,15 @@ pub fn write(files: &BTreeMap<String, String>, folder: &Path) -> Result<(), Code
 ///
 /// # Errors
 /// All of them, if there are any.
-pub fn check(files: &BTreeMap<String, String>, folder: &Path) -> Result<(), Vec<Stale>> {
-    let stale = |(name, text): (&String, &String)| {
-        let diff = match std::fs::read(folder.join(name)) {
-            Ok(bytes) if bytes == text.as_bytes() => return None,
-            Ok(bytes) => difference(&String::from_utf8_lossy(&bytes), text),
-            Err(error) => format!("cannot read it: {error}\n"),
+pub fn check(files: &Files, folder: &Path) -> Result<(), Vec<Stale>> {
+    let stale = |(name, expected): (&str, &[u8])| {
+        let diff = match (std::fs::read(folder.join(name)), std::str::from_utf8(expected)) {
+            (Ok(found), _) if found == expected => return None,
+            (Ok(found), Ok(text)) => difference(&String::from_utf8_lossy(&found), text),
+            (Ok(found), Err(_)) => format!("{} bytes differ from {}\n", found.len(), expected.len()),
+            (Err(error), _) => format!("cannot read it: {error}\n"),
         };
-        Some(Stale { file: name.clone(), diff })
+        Some(Stale { file: name.to_owned(), diff })
     };
     let mut all: Vec<_> = files.iter().filter_map(stale).collect();
     all.extend(left_over(files, folder));
@@ -58,11 +58,11 @@ pub fn check(files: &BTreeMap<String, String>, folder: &Path) -> Result<(), Vec<
 }
 
 /// Files in `folder` that nothing generates.
-fn left_over(files: &BTreeMap<String, String>, folder: &Path) -> Vec<Stale> {
+fn left_over(files: &Files, folder: &Path) -> Vec<Stale> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let mut names: Vec<_> = entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
     names.sort_unstable();
-    let unknown = names.into_iter().filter(|name| !files.contains_key(name));
+    let unknown = names.into_iter().filter(|name| files.bytes(name).is_none());
     unknown.map(|file| Stale { file, diff: "it is not generated: delete it\n".to_owned() }).collect()
 }
 

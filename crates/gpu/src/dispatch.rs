@@ -6,6 +6,15 @@ use std::sync::mpsc;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BufferUsages, PollType};
 
+/// Buffers of these sizes can be made.
+fn sizes(bindings: &[&[u8]], output_bytes: usize) -> Result<(), GpuError> {
+    let sizes = bindings.iter().map(|bytes| bytes.len()).chain([output_bytes]);
+    match sizes.enumerate().find(|(_, bytes)| bytes % 4 != 0 || *bytes == 0) {
+        Some((binding, bytes)) => Err(GpuError::BufferSize { binding, bytes }),
+        None => Ok(()),
+    }
+}
+
 impl Gpu {
     /// Runs `entry` of the module `wgsl` on `groups` workgroups. In group 0, `bindings` are read-only storage
     /// buffers 0, 1, …, and the next number is the output, a zeroed writable storage buffer of `output_bytes`.
@@ -20,12 +29,60 @@ impl Gpu {
         output_bytes: usize,
         groups: [u32; 3],
     ) -> Result<Vec<u8>, GpuError> {
-        let sizes = bindings.iter().map(|bytes| bytes.len()).chain([output_bytes]);
-        if let Some((binding, bytes)) = sizes.enumerate().find(|(_, bytes)| bytes % 4 != 0 || *bytes == 0) {
-            return Err(GpuError::BufferSize { binding, bytes });
+        sizes(bindings, output_bytes)?;
+        let pipeline = || {
+            let source = wgpu::ShaderSource::Wgsl(wgsl.into());
+            let module = wgpu::ShaderModuleDescriptor { label: Some(entry), source };
+            self.pipeline(&self.device.create_shader_module(module), entry, None)
+        };
+        self.dispatch(pipeline, bindings, output_bytes, groups)
+    }
+
+    /// As [`run`](Self::run), with the module in SPIR-V, which the driver gets as it is.
+    ///
+    /// # Safety
+    /// Nothing checks the module. It must be valid for Vulkan 1.1, use no more than these bindings, and stay within them.
+    ///
+    /// # Errors
+    /// [`GpuError`] if a size is no positive multiple of 4, the driver takes no SPIR-V, or the device fails.
+    #[allow(unsafe_code, reason = "a binary module is what the driver makes of it")]
+    pub unsafe fn run_spirv(
+        &self,
+        spirv: &[u32],
+        entry: &str,
+        bindings: &[&[u8]],
+        output_bytes: usize,
+        groups: [u32; 3],
+    ) -> Result<Vec<u8>, GpuError> {
+        sizes(bindings, output_bytes)?;
+        if !self.device.features().contains(wgpu::Features::PASSTHROUGH_SHADERS) {
+            return Err(GpuError::NoSpirv { adapter: self.adapter.clone() });
         }
+        let pipeline = || {
+            // The workgroup's size stands in the module; drivers that would need it here take no SPIR-V.
+            let start = wgpu::PassthroughShaderEntryPoint { name: entry.into(), workgroup_size: (0, 0, 0) };
+            let descriptor = wgpu::ShaderModuleDescriptorPassthrough {
+                label: Some(entry),
+                entry_points: vec![start].into(),
+                spirv: Some(spirv.into()),
+                ..Default::default()
+            };
+            // SAFETY: the caller vouches for the module.
+            let module = unsafe { self.device.create_shader_module_passthrough(descriptor) };
+            self.pipeline(&module, entry, Some(&self.storage_layout(bindings.len())))
+        };
+        self.dispatch(pipeline, bindings, output_bytes, groups)
+    }
+
+    fn dispatch(
+        &self,
+        pipeline: impl FnOnce() -> wgpu::ComputePipeline,
+        bindings: &[&[u8]],
+        output_bytes: usize,
+        groups: [u32; 3],
+    ) -> Result<Vec<u8>, GpuError> {
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let pipeline = self.pipeline(wgsl, entry);
+        let pipeline = pipeline();
         let output = self.empty_buffer(output_bytes, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
         let readback = self.empty_buffer(output_bytes, BufferUsages::MAP_READ | BufferUsages::COPY_DST);
         let group = self.bind(&pipeline, bindings, &output);
@@ -36,17 +93,42 @@ impl Gpu {
         self.read(&readback)
     }
 
-    fn pipeline(&self, wgsl: &str, entry: &str) -> wgpu::ComputePipeline {
-        let source = wgpu::ShaderSource::Wgsl(wgsl.into());
-        let module =
-            self.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(entry), source });
+    fn pipeline(
+        &self,
+        module: &wgpu::ShaderModule,
+        entry: &str,
+        layout: Option<&wgpu::PipelineLayout>,
+    ) -> wgpu::ComputePipeline {
         self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
             label: Some(entry),
-            layout: None,
-            module: &module,
+            layout,
+            module,
             entry_point: Some(entry),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             cache: None,
+        })
+    }
+
+    /// Read-only storage buffers 0 to `inputs` - 1, and a writable one after them.
+    fn storage_layout(&self, inputs: usize) -> wgpu::PipelineLayout {
+        let entry = |binding: usize| wgpu::BindGroupLayoutEntry {
+            #[allow(clippy::cast_possible_truncation, reason = "a handful of buffers")]
+            binding: binding as u32,
+            visibility: wgpu::ShaderStages::COMPUTE,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Storage { read_only: binding < inputs },
+                has_dynamic_offset: false,
+                min_binding_size: None,
+            },
+            count: None,
+        };
+        let entries: Vec<_> = (0..=inputs).map(entry).collect();
+        let group = wgpu::BindGroupLayoutDescriptor { label: None, entries: &entries };
+        let group = self.device.create_bind_group_layout(&group);
+        self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: None,
+            bind_group_layouts: &[Some(&group)],
+            immediate_size: 0,
         })
     }
 

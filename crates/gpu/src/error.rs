@@ -23,6 +23,12 @@ pub enum GpuError {
         /// Its size.
         bytes: usize,
     },
+    /// The driver takes no SPIR-V.
+    #[error("{adapter} takes no SPIR-V module as it is")]
+    NoSpirv {
+        /// The adapter.
+        adapter: String,
+    },
     /// The shader or the dispatch is not valid.
     #[error("the device refused the shader: {reason}")]
     Refused {

@@ -35,8 +35,11 @@ impl Gpu {
         let adapter = block_on(instance.request_adapter(&options)).map_err(none)?;
         let info = adapter.get_info();
         let closed = |error: wgpu::RequestDeviceError| GpuError::Device { reason: error.to_string() };
-        let (device, queue) =
-            block_on(adapter.request_device(&wgpu::DeviceDescriptor::default())).map_err(closed)?;
+        let descriptor = wgpu::DeviceDescriptor {
+            required_features: adapter.features() & wgpu::Features::PASSTHROUGH_SHADERS,
+            ..Default::default()
+        };
+        let (device, queue) = block_on(adapter.request_device(&descriptor)).map_err(closed)?;
         Ok(Self { device, queue, adapter: format!("{} ({}, {})", info.name, info.backend, info.driver_info) })
     }
 

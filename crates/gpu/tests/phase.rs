@@ -10,7 +10,7 @@
 mod common;
 mod device;
 
-use stratiform_codegen::generate;
+use stratiform_codegen::{Target, generate};
 use stratiform_optics::phase::{HenyeyGreenstein, PhaseFunction};
 use stratiform_quantities::Asymmetry;
 
@@ -48,9 +48,9 @@ fn arguments() -> Vec<f32> {
 #[test]
 fn the_phase_look_up_reproduces_its_tables() {
     let Some(gpu) = device::device() else { return };
-    let files = generate(&common::inputs()).unwrap();
-    let module = format!("{}{ENTRY}", files["stratiform_phase.wgsl"]);
-    let (table, v) = (table(&files["phase_warped.csv"]), arguments());
+    let files = generate(&common::inputs(), &Target::ALL).unwrap();
+    let module = format!("{}{ENTRY}", files.text("stratiform_phase.wgsl").unwrap());
+    let (table, v) = (table(files.text("phase_warped.csv").unwrap()), arguments());
     let bindings: [&[u8]; 2] = [bytemuck::cast_slice(&table), bytemuck::cast_slice(&v)];
     let groups = [u32::try_from(v.len().div_ceil(64)).unwrap(), 1, 1];
     let output = gpu.run(&module, "test_phase", &bindings, 16 * v.len(), groups).unwrap();

@@ -30,3 +30,25 @@ fn bad_shaders_entries_and_sizes_are_errors() {
     assert_eq!(size, GpuError::BufferSize { binding: 1, bytes: 6 });
     assert!(gpu.run(COPY, "copy", &[&[9; 4]], 4, [1, 1, 1]).is_ok(), "the device stays usable");
 }
+
+fn spirv(wgsl: &str) -> Vec<u32> {
+    let module = naga::front::wgsl::parse_str(wgsl).unwrap();
+    let info =
+        naga::valid::Validator::new(naga::valid::ValidationFlags::all(), naga::valid::Capabilities::empty())
+            .validate(&module)
+            .unwrap();
+    let options = naga::back::spv::Options::default();
+    naga::back::spv::write_vec(&module, &info, &options, None).unwrap()
+}
+
+#[test]
+#[allow(unsafe_code, reason = "the modules are those of a validated text")]
+fn spirv_runs_as_its_text_does() {
+    let Some(gpu) = device::device() else { return };
+    let module = spirv(COPY);
+    let source: &[u8] = &[1, 2, 3, 4, 5, 6, 7, 8];
+    // SAFETY: the module is COPY; both buffers are longer than it reaches.
+    let run = |entry, bytes| unsafe { gpu.run_spirv(&module, entry, &[source], bytes, [2, 1, 1]) };
+    assert_eq!(run("copy", 12).unwrap(), [1, 2, 3, 4, 5, 6, 7, 8, 0, 0, 0, 0]);
+    assert_eq!(run("copy", 0).unwrap_err(), GpuError::BufferSize { binding: 1, bytes: 0 });
+}

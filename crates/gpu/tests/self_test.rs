@@ -9,7 +9,7 @@
 mod common;
 mod device;
 
-use stratiform_codegen::{QUANTITIES, SelfTest, generate, self_test_module};
+use stratiform_codegen::{QUANTITIES, SelfTest, Target, generate, self_test_module};
 use stratiform_gpu::Gpu;
 use stratiform_quantities::Incidence;
 
@@ -36,7 +36,7 @@ fn execute(gpu: &Gpu, wgsl: &str, test: &SelfTest) -> Vec<f32> {
     let groups = [u32::try_from(test.vectors.len().div_ceil(64)).unwrap(), 1, 1];
     let input = input(test);
     let output =
-        gpu.run(wgsl, "stratiform_self_test", &[bytemuck::cast_slice(&input)], bytes, groups).unwrap();
+        gpu.run(wgsl, "stratiform_self_test_kernel", &[bytemuck::cast_slice(&input)], bytes, groups).unwrap();
     bytemuck::pod_collect_to_vec(&output)
 }
 
@@ -76,8 +76,8 @@ fn report(gpu: &Gpu, worst: &[(f64, f64); 9]) {
 #[test]
 fn the_shader_reproduces_the_model() {
     let Some(gpu) = device::device() else { return };
-    let files = generate(&common::inputs()).unwrap();
-    let test: SelfTest = serde_json::from_str(&files["self_test.json"]).unwrap();
+    let files = generate(&common::inputs(), &Target::ALL).unwrap();
+    let test: SelfTest = serde_json::from_str(files.text("self_test.json").unwrap()).unwrap();
     let module = self_test_module(&files).unwrap();
     let worst = errors(&test, &execute(&gpu, &module, &test));
     report(&gpu, &worst);
@@ -91,7 +91,8 @@ fn the_committed_shader_reproduces_the_model() {
     let folder =
         std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/generated"));
     let read = |name: &str| (name.to_owned(), std::fs::read_to_string(folder.join(name)).unwrap());
-    let files = ["stratiform.wgsl", "stratiform_self_test.wgsl", "self_test.json"].map(read).into();
+    let files =
+        ["stratiform.wgsl", "stratiform_self_test.wgsl", "self_test.json"].map(read).into_iter().collect();
     let test: SelfTest =
         serde_json::from_str(&std::fs::read_to_string(folder.join("self_test.json")).unwrap()).unwrap();
     let module = self_test_module(&files).unwrap();
@@ -104,8 +105,8 @@ fn the_committed_shader_reproduces_the_model() {
 #[test]
 fn a_planted_slip_in_the_shader_is_seen() {
     let Some(gpu) = device::device() else { return };
-    let files = generate(&common::inputs()).unwrap();
-    let test: SelfTest = serde_json::from_str(&files["self_test.json"]).unwrap();
+    let files = generate(&common::inputs(), &Target::ALL).unwrap();
+    let test: SelfTest = serde_json::from_str(files.text("self_test.json").unwrap()).unwrap();
     let module = self_test_module(&files).unwrap();
     let planted = module.replacen("STRATIFORM_KAPPA_S: f32 = 0.545;", "STRATIFORM_KAPPA_S: f32 = 0.5451;", 1);
     assert_ne!(planted, module);

@@ -3,6 +3,17 @@
 //! The coordinate is u = √(Θ/2π) up to 90° and 1 - √((π-Θ)/2π) beyond: of n equal steps the first and the last
 //! are 360°/n² wide, those at 90° 360°/n. Every file and every emitted function samples Θ at equal steps of u.
 
+/// The map's name in files.
+pub const NAME: &str = "double-ended square root";
+
+/// The coordinate as files state it.
+pub const COORDINATE_FORMULA: &str =
+    "u = sqrt(theta_deg/360) for theta_deg < 90, u = 1 - sqrt((180 - theta_deg)/360) from 90 on";
+
+/// Its inverse as files state it.
+pub const ANGLE_FORMULA: &str =
+    "theta_deg = 360 u^2 for u < 0.5, theta_deg = 180 - 360 (1 - u)^2 from 0.5 on";
+
 /// Θ in degrees at the coordinate u ∈ \[0, 1\].
 pub fn angle_deg(coordinate: f64) -> f64 {
     let back = 1.0 - coordinate;

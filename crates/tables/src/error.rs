@@ -16,6 +16,12 @@ pub enum TablesError {
     /// A phase function that is none.
     #[error(transparent)]
     Optics(#[from] OpticsError),
+    /// Parameters that form no table.
+    #[error("parameters: {reason}")]
+    Parameters {
+        /// What is wrong with their rows.
+        reason: String,
+    },
     /// A container that its library refuses to write.
     #[error("{format}: {reason}")]
     Container {

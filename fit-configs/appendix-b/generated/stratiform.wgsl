@@ -7,6 +7,8 @@
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
+// Use        stratiform.wgsl: paste it above your entry points.
+// Check      stratiform_self_test() returns the number of wrong values: 0. All its vectors are in self_test.json.
 // Units      tau is the extinction optical thickness of the full medium along the slab's normal, tau = kappa H.
 //            mu_l = cos(theta_l), the sun's zenith angle. Fluxes are shares of the flux incident on the slab.
 // Phase      1/2 integral of P over cosTheta is 1; cosTheta = +1 is forward.
@@ -79,18 +81,6 @@
 // Row theta_l = 90: c-on-bound r-on-bound beta-fixed.
 //
 // Row theta_l = diffuse: beta-fixed.
-//
-// Self-test (all vectors in self_test.json): mu_l, tau -> t_ms, r_ms, t_0, t_1, t_2, t_3_plus, r_1, r_2, r_3_plus
-//   1, 0 -> 1.0000000e0, 0.0000000e0, 1.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0, 0.0000000e0
-//   0.9396926164627075, 0.10000000149011612 -> 9.9519184e-1, 4.8081552e-3, 9.4362363e-1, 4.9609549e-2, 1.3185759e-3, 6.4008966e-4, 3.8095019e-3, 1.9711062e-4, 8.0154270e-4
-//   0.7660444378852844, 200 -> 4.6212512e-2, 9.5378749e-1, 1.4870442e-62, 2.0745106e-64, 1.2881958e-62, 4.6212512e-2, 3.7286481e-2, 3.0572656e-2, 8.8592835e-1
-//   0.3420201539993286, 0.00009999999747378752 -> 9.9996315e-1, 3.6846853e-5, 9.9984058e-1, 1.1173447e-4, 6.6050293e-9, 1.0829662e-5, 2.6901040e-5, 3.0060570e-9, 9.9428064e-6
-//   0, 8 -> 1.4084731e-1, 8.5915269e-1, 0.0000000e0, 1.7990497e-36, 2.3912040e-35, 1.4084731e-1, 5.0000000e-1, 1.3383741e-1, 2.2531528e-1
-//   0.9028590321540833, 0.00000000999999993922529 -> 1.0000000e0, 5.2198517e-10, 9.9999999e-1, 5.4573010e-9, 1.4983948e-17, 6.0236625e-11, 4.3100048e-10, 2.3520994e-18, 9.0984688e-11
-//   0.704416036605835, 0.5 -> 9.4931939e-1, 5.0680609e-2, 6.7905939e-1, 2.2055427e-1, 3.6794580e-2, 1.2911143e-2, 2.2651278e-2, 6.4950344e-3, 2.1534297e-2
-//   0.4210100769996643, 10000 -> 7.0412337e-4, 9.9929588e-1, 0.0000000e0, 0.0000000e0, 0.0000000e0, 7.0412337e-4, 7.4244506e-2, 5.9016071e-2, 8.6603530e-1
-//   0.0010000000474974513, 0.009999999776482582 -> 8.7183635e-1, 1.2816365e-1, 4.2841315e-3, 2.5457751e-2, 4.8498961e-3, 8.3724457e-1, 9.3242462e-2, 2.5434337e-3, 3.2377755e-2
-//   0.10000000149011612, 40 -> 8.0485216e-2, 9.1951478e-1, 1.8815103e-95, 3.0173728e-56, 1.1106267e-54, 8.0485216e-2, 2.3768750e-1, 1.3169162e-1, 5.5013567e-1
 
 // (1 - beta) / beta: T_ms = (b + (1 - b) exp(-c tau)) / (1 + slope tau).
 const STRATIFORM_SLOPE: f32 = 0.10771357;
@@ -387,3 +377,92 @@ fn stratiform_diffuse_r_three_plus(tau: f32) -> f32 {
     return stratiform_diffuse(tau).r_three_plus;
 }
 
+// ---- self-test ---------------------------------------------------------------------------------------------------
+
+// Vectors of the self-test.
+const STRATIFORM_SELF_TEST_COUNT: u32 = 11u;
+
+// mu_l of vector i; -1 stands for diffuse light.
+fn stratiform_self_test_mu(i: u32) -> f32 {
+    switch i {
+        case 0u: { return 1.0; }
+        case 1u: { return 0.9396926; }
+        case 2u: { return 0.76604444; }
+        case 3u: { return 0.34202015; }
+        case 4u: { return 0.0; }
+        case 5u: { return 0.90285903; }
+        case 6u: { return 0.70441604; }
+        case 7u: { return 0.42101008; }
+        case 8u: { return 0.001; }
+        case 9u: { return 0.1; }
+        default: { return -1.0; }
+    }
+}
+
+// tau of vector i.
+fn stratiform_self_test_tau(i: u32) -> f32 {
+    switch i {
+        case 0u: { return 0.0; }
+        case 1u: { return 0.1; }
+        case 2u: { return 200.0; }
+        case 3u: { return 0.0001; }
+        case 4u: { return 8.0; }
+        case 5u: { return 1e-8; }
+        case 6u: { return 0.5; }
+        case 7u: { return 10000.0; }
+        case 8u: { return 0.01; }
+        case 9u: { return 40.0; }
+        default: { return 10000.0; }
+    }
+}
+
+// What the model gives for vector i in double precision.
+fn stratiform_self_test_expected(i: u32) -> StratiformFluxes {
+    switch i {
+        case 0u: { return StratiformFluxes(1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0); }
+        case 1u: { return StratiformFluxes(0.9951919, 0.0048081554, 0.9436236, 0.04960955, 0.0013185759, 0.0006400897, 0.0038095019, 0.00019711062, 0.0008015427); }
+        case 2u: { return StratiformFluxes(0.046212513, 0.9537875, 0.0, 0.0, 0.0, 0.046212513, 0.03728648, 0.030572657, 0.88592833); }
+        case 3u: { return StratiformFluxes(0.99996316, 3.6846854e-5, 0.99984056, 0.00011173447, 6.6050294e-9, 1.0829662e-5, 2.690104e-5, 3.006057e-9, 9.942806e-6); }
+        case 4u: { return StratiformFluxes(0.14084731, 0.8591527, 0.0, 1.7990497e-36, 2.391204e-35, 0.14084731, 0.5, 0.13383742, 0.22531527); }
+        case 5u: { return StratiformFluxes(1.0, 5.219852e-10, 1.0, 5.457301e-9, 1.4983948e-17, 6.023663e-11, 4.3100049e-10, 2.3520994e-18, 9.0984685e-11); }
+        case 6u: { return StratiformFluxes(0.94931936, 0.050680608, 0.6790594, 0.22055428, 0.03679458, 0.012911143, 0.022651277, 0.0064950343, 0.021534298); }
+        case 7u: { return StratiformFluxes(0.00070412335, 0.9992959, 0.0, 0.0, 0.0, 0.00070412335, 0.07424451, 0.05901607, 0.8660353); }
+        case 8u: { return StratiformFluxes(0.87183636, 0.12816365, 0.0042841313, 0.025457751, 0.0048498963, 0.8372446, 0.09324246, 0.0025434338, 0.032377753); }
+        case 9u: { return StratiformFluxes(0.08048522, 0.9195148, 0.0, 0.0, 0.0, 0.08048522, 0.2376875, 0.13169162, 0.5501357); }
+        default: { return StratiformFluxes(0.00088502397, 0.999115, 0.0, 0.0, 0.0, 0.00088502397, 0.05795273, 0.04599298, 0.89516926); }
+    }
+}
+
+// 1 if value is off by more than 2e-5 (0.1 + |expected|), else 0.
+fn stratiform_wrong(value: f32, expected: f32) -> u32 {
+    return select(1u, 0u, abs(value - expected) <= 2e-5 * (0.1 + abs(expected)));
+}
+
+// The fluxes of vector i.
+fn stratiform_self_test_fluxes(i: u32) -> StratiformFluxes {
+    let mu_l = stratiform_self_test_mu(i);
+    let tau = stratiform_self_test_tau(i);
+    if (mu_l < 0.0) {
+        return stratiform_diffuse(tau);
+    }
+    return stratiform_beam(mu_l, tau);
+}
+
+// How many of the self-test's values are wrong: 0 if this file works as its author saw it work.
+fn stratiform_self_test() -> u32 {
+    var wrong = 0u;
+    for (var i = 0u; i < STRATIFORM_SELF_TEST_COUNT; i += 1u) {
+        let f = stratiform_self_test_fluxes(i);
+        let e = stratiform_self_test_expected(i);
+        wrong += stratiform_wrong(f.t_ms, e.t_ms);
+        wrong += stratiform_wrong(f.r_ms, e.r_ms);
+        wrong += stratiform_wrong(f.t_zero, e.t_zero);
+        wrong += stratiform_wrong(f.t_one, e.t_one);
+        wrong += stratiform_wrong(f.t_two, e.t_two);
+        wrong += stratiform_wrong(f.t_three_plus, e.t_three_plus);
+        wrong += stratiform_wrong(f.r_one, e.r_one);
+        wrong += stratiform_wrong(f.r_two, e.r_two);
+        wrong += stratiform_wrong(f.r_three_plus, e.r_three_plus);
+    }
+    return wrong;
+}

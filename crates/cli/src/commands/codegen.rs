@@ -13,8 +13,9 @@ pub fn run(args: &CodegenArgs, talk: Talk) -> Result<Data, CliError> {
     let config = Config::load(&args.config)?;
     let folder = |name: &str| args.config.parent().unwrap_or(std::path::Path::new(".")).join(name);
     let (accepted, output) = (folder(&config.codegen.accepted), folder(&config.codegen.output));
+    let inputs = pipeline::accepted::read(&accepted)?;
     let files =
-        stratiform_codegen::generate(&pipeline::accepted::read(&accepted)?).map_err(pipeline::input_error)?;
+        stratiform_codegen::generate(&inputs, &config.codegen.targets).map_err(pipeline::input_error)?;
     if args.check {
         if let Err(stale) = stratiform_codegen::check(&files, &output) {
             let list: Vec<_> = stale.iter().map(|s| format!("{}/{s}", output.display())).collect();
@@ -22,11 +23,11 @@ pub fn run(args: &CodegenArgs, talk: Talk) -> Result<Data, CliError> {
             let data = if args.json { object(false, &names) } else { String::new() };
             return Err(CliError::Unmet { message: list.join("\n"), data });
         }
-        talk.say(format!("{} files in {} are fresh", files.len(), output.display()));
+        talk.say(format!("{} files in {} are fresh", files.names().len(), output.display()));
     } else {
         stratiform_codegen::write(&files, &output).map_err(pipeline::input_error)?;
     }
-    let names: Vec<_> = files.keys().map(|name| output.join(name).display().to_string()).collect();
+    let names: Vec<_> = files.names().map(|name| output.join(name).display().to_string()).collect();
     Ok(if args.json { object(true, &names) } else { names.join("\n") + "\n" })
 }
 

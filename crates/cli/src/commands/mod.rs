@@ -2,12 +2,14 @@
 
 pub mod check;
 pub mod codegen;
+pub mod export;
 pub mod mie;
 pub mod optics;
 pub mod order_rows;
 pub mod phase_check;
 pub mod radiance;
 pub mod report;
+pub mod shell;
 pub mod solve;
 pub mod stages;
 pub mod trace;

@@ -5,6 +5,7 @@ pub mod accepted;
 mod agreement;
 mod convergence;
 mod curves;
+pub mod export;
 pub mod fluxes;
 pub mod ladder;
 mod notes;

@@ -15,7 +15,7 @@ use stratiform_artifact::{
     LadderRow, OpticsDocument, ParametersDocument, Provenance, create_folder, read_csv, read_json, write_csv,
     write_json,
 };
-use stratiform_codegen::{Inputs, PhaseRow, PhaseTables};
+use stratiform_codegen::{Inputs, PhaseRow, PhaseTables, Target as Language};
 use stratiform_fit::Reference;
 use stratiform_optics::phase::PhaseTable;
 
@@ -98,7 +98,8 @@ impl Chain<'_> {
     ) -> Result<(), CliError> {
         let Self { config, cloud, provenance, talk } = *self;
         let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
-        work.stage("codegen", &before, |dir| codegen(parameters, cloud, dir))?;
+        let targets = &config.codegen.targets;
+        work.stage("codegen", &(&before, targets), |dir| codegen(parameters, cloud, targets, dir))?;
         self.agreement(work, parameters)?;
         self.ladder(work, parameters)?;
         self.convergence(work, &before)?;
@@ -168,7 +169,12 @@ impl Chain<'_> {
     }
 }
 
-fn codegen(parameters: &ParametersDocument, cloud: &Cloud, dir: &Path) -> Result<Vec<String>, CliError> {
+fn codegen(
+    parameters: &ParametersDocument,
+    cloud: &Cloud,
+    targets: &[Language],
+    dir: &Path,
+) -> Result<Vec<String>, CliError> {
     let theta_f = parameters.medium.theta_f_deg;
     let modified = cloud.phase.modified(theta_f).map_err(input_error)?;
     let squared = modified.squared().map_err(input_error)?;
@@ -184,9 +190,9 @@ fn codegen(parameters: &ParametersDocument, cloud: &Cloud, dir: &Path) -> Result
     let folder = dir.join("accepted");
     create_folder(&folder)?;
     accepted::write(&folder, &inputs)?;
-    let files = stratiform_codegen::generate(&inputs).map_err(input_error)?;
+    let files = stratiform_codegen::generate(&inputs, targets).map_err(input_error)?;
     stratiform_codegen::write(&files, &dir.join("generated")).map_err(input_error)?;
-    let emitted = files.keys().map(|name| format!("generated/{name}"));
+    let emitted = files.names().map(|name| format!("generated/{name}"));
     Ok(accepted::FILES.iter().map(|name| format!("accepted/{name}")).chain(emitted).collect())
 }
 

@@ -1,7 +1,4 @@
-// The host binds phase_warped.csv: @COUNT@ values of column p, then @COUNT@ of column p_squared. Change group and
-// binding to suit.
-@group(0) @binding(0) var<storage, read> stratiform_phase_table: array<f32>;
-
+// Values of each row.
 const STRATIFORM_PHASE_COUNT: u32 = @COUNT@u;
 // P_S = P / (1 - P_f) where 1 - cosTheta >= 1 - cos(theta_f), and 0 below.
 const STRATIFORM_WIDE_SCALE: f32 = @WIDE_SCALE@;
@@ -9,8 +6,8 @@ const STRATIFORM_WIDE_EDGE: f32 = @WIDE_EDGE@;
 
 // acos(1 - v) for v = 1 - cosTheta in [0, 2]; error below 1e-7 of pi, relative at both ends. Abramowitz & Stegun 1964, 4.4.46.
 fn stratiform_arc(v: f32) -> f32 {
-    let near = min(v, 2.0 - v);
-    let x = 1.0 - near;
+    let nearest = min(v, 2.0 - v);
+    let x = 1.0 - nearest;
     var sum = -0.0012624911;
     sum = sum * x + 0.0066700901;
     sum = sum * x - 0.0170881256;
@@ -19,7 +16,7 @@ fn stratiform_arc(v: f32) -> f32 {
     sum = sum * x + 0.0889789874;
     sum = sum * x - 0.2145988016;
     sum = sum * x + 1.5707963050;
-    let arc = sqrt(max(near, 0.0)) * sum;
+    let arc = sqrt(max(nearest, 0.0)) * sum;
     return select(3.14159265 - arc, arc, v <= 1.0);
 }
 
@@ -41,11 +38,13 @@ fn stratiform_phase_angle(coordinate: f32) -> f32 {
     return 3.14159265 - 6.28318531 * back * back;
 }
 
+// Row `row` at v, linear in the coordinate.
 fn stratiform_phase_lookup(row: u32, v: f32) -> f32 {
     let place = stratiform_phase_coordinate(stratiform_arc(v)) * f32(STRATIFORM_PHASE_COUNT - 1u);
-    let cell = min(u32(place), STRATIFORM_PHASE_COUNT - 2u);
-    let first = stratiform_phase_table[row * STRATIFORM_PHASE_COUNT + cell];
-    let second = stratiform_phase_table[row * STRATIFORM_PHASE_COUNT + cell + 1u];
+    let whole = u32(place);
+    let cell = select(STRATIFORM_PHASE_COUNT - 2u, whole, whole < STRATIFORM_PHASE_COUNT - 2u);
+    let first = stratiform_phase_texel(row, cell);
+    let second = stratiform_phase_texel(row, cell + 1u);
     return first + (second - first) * (place - f32(cell));
 }
 
@@ -62,4 +61,43 @@ fn stratiform_phase_modified(v: f32) -> f32 {
 // P_S convolved with itself on the sphere, at v = 1 - cosTheta.
 fn stratiform_phase_squared(v: f32) -> f32 {
     return stratiform_phase_lookup(1u, v);
+}
+
+// ---- self-test ---------------------------------------------------------------------------------------------------
+
+// v of vector i.
+fn stratiform_phase_test_v(i: u32) -> f32 {
+    switch i {
+@TEST_V@
+    }
+}
+
+// P of the full medium there, in double precision.
+fn stratiform_phase_test_full(i: u32) -> f32 {
+    switch i {
+@TEST_P@
+    }
+}
+
+// P_S convolved with itself there.
+fn stratiform_phase_test_squared(i: u32) -> f32 {
+    switch i {
+@TEST_SQUARED@
+    }
+}
+
+// 1 if value is off by more than 1e-4 of expected, else 0.
+fn stratiform_phase_wrong(value: f32, expected: f32) -> u32 {
+    return select(1u, 0u, abs(value - expected) <= 1e-4 * expected);
+}
+
+// How many of the self-test's values are wrong: 0 if the table is in place.
+fn stratiform_phase_self_test() -> u32 {
+    var wrong = 0u;
+    for (var i = 0u; i < @TEST_COUNT@u; i += 1u) {
+        let v = stratiform_phase_test_v(i);
+        wrong += stratiform_phase_wrong(stratiform_phase(v), stratiform_phase_test_full(i));
+        wrong += stratiform_phase_wrong(stratiform_phase_squared(v), stratiform_phase_test_squared(i));
+    }
+    return wrong;
 }

@@ -4,7 +4,7 @@
 @group(0) @binding(1) var<storage, read_write> stratiform_self_test_output: array<f32>;
 
 @compute @workgroup_size(64)
-fn stratiform_self_test(@builtin(global_invocation_id) id: vec3<u32>) {
+fn stratiform_self_test_kernel(@builtin(global_invocation_id) id: vec3<u32>) {
     let i = id.x;
     if (i >= arrayLength(&stratiform_self_test_input)) {
         return;

@@ -9,6 +9,10 @@
 //! without a trust radius, so that a radius shrunk by wrong derivatives is not mistaken for convergence: the
 //! gradient (`gtol`), the predicted decrease (`ftol`, squared relative offset of Bates & Watts 1981), the
 //! step (`xtol`).
+//!
+//! Held to all 27 nonlinear sets of NIST StRD from both starts (`tests/nist_strd.rs`): at least 7.5 matching digits of
+//! every parameter and 5.3 of every standard deviation. The one exception is the standard deviations of Lanczos1: its
+//! data carry no error but their rounding, so that the sum of squares from which they follow, 1.4e-25, is noise.
 
 mod bounds;
 mod differences;

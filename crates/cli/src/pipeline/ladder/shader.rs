@@ -23,18 +23,23 @@ impl Device {
         self.gpu.as_ref().map(stratiform_gpu::Gpu::adapter).map_err(String::as_str)
     }
 
-    /// Every flux of the emitted module in `dir` at (μ_l, τ), with μ_l = -1 for diffuse light.
+    /// Every flux of the emitted module in `dir` at (μ_l, τ), with μ_l = -1 for diffuse light; nothing without a
+    /// device, or if WGSL is none of the targets.
     ///
     /// # Errors
     /// [`CliError::Failed`] if the device refuses the shader, [`CliError::Input`] if the text cannot be read.
     pub fn evaluate(&self, dir: &Path, inputs: &[[f32; 2]]) -> Result<Vec<Nine>, CliError> {
         let Ok(gpu) = &self.gpu else { return Ok(Vec::new()) };
-        let read = |name: &str| stratiform_artifact::read_text(&dir.join("generated").join(name));
+        let folder = dir.join("generated");
+        if !folder.join("stratiform.wgsl").exists() {
+            return Ok(Vec::new());
+        }
+        let read = |name: &str| stratiform_artifact::read_text(&folder.join(name));
         let module = format!("{}\n{}", read("stratiform.wgsl")?, read("stratiform_self_test.wgsl")?);
         let bytes: Vec<u8> = inputs.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
         let groups = [u32::try_from(inputs.len().div_ceil(64)).unwrap_or(u32::MAX), 1, 1];
         let output = gpu
-            .run(&module, "stratiform_self_test", &[&bytes], 36 * inputs.len(), groups)
+            .run(&module, "stratiform_self_test_kernel", &[&bytes], 36 * inputs.len(), groups)
             .map_err(|error| CliError::Failed(error.to_string()))?;
         let single = |bytes: &[u8]| f64::from(bytes.try_into().map_or(f32::NAN, f32::from_le_bytes));
         Ok(output

@@ -1,0 +1,151 @@
+//! `stratiform export`: phase functions and parameters as others load them.
+
+use crate::args::{ExportArgs, Format};
+use crate::config::Config;
+use crate::output::{Data, Talk};
+use crate::pipeline::export::{accepted_parameters, phase_set};
+use crate::{CliError, pipeline, progress};
+use serde::Serialize;
+use stratiform_artifact::{create_folder, write_atomic};
+use stratiform_tables::TablesError;
+use stratiform_tables::parameters::ParameterTexels;
+use stratiform_tables::sampled::TEXELS;
+use stratiform_tables::set::{NamedCard, PhaseSet, SampledSet};
+use stratiform_tables::write::{
+    Precision, parameters_csv, parameters_exr, parameters_json, parameters_ktx2, parameters_npz, phase_csv,
+    phase_exr, phase_json, phase_ktx2, phase_npz, rounding,
+};
+
+/// A file before it is written.
+#[derive(Clone, Serialize)]
+struct File {
+    #[serde(rename = "file")]
+    name: String,
+    #[serde(skip)]
+    bytes: Vec<u8>,
+    #[serde(flatten)]
+    worth: Worth,
+}
+
+/// What a file is worth against what it was made from.
+#[derive(Clone, Serialize)]
+#[serde(rename_all = "kebab-case")]
+enum Worth {
+    /// A card per phase function and channel.
+    Cards(Vec<NamedCard>),
+    /// Of a parameter table.
+    Rounding {
+        precision: Precision,
+        rows: usize,
+        /// Largest relative change by rounding.
+        largest_error: f64,
+    },
+}
+
+/// What the writers choose from.
+struct Source {
+    phase: PhaseSet,
+    sampled: SampledSet,
+    /// None before a table was accepted.
+    parameters: Option<ParameterTexels>,
+}
+
+/// Runs the command. Every file is made before the first is written.
+///
+/// # Errors
+/// [`CliError::Input`] for bad input, or a number that a format cannot hold.
+pub fn run(args: &ExportArgs, talk: Talk) -> Result<Data, CliError> {
+    let source = source(args, talk)?;
+    let mut formats = args.formats.clone();
+    formats.sort();
+    formats.dedup();
+    let files = formats.into_iter().map(|format| files(format, &source));
+    let files = files.collect::<Result<Vec<_>, _>>().map_err(pipeline::input_error)?.concat();
+    create_folder(&args.out)?;
+    for file in &files {
+        write_atomic(&args.out.join(&file.name), &file.bytes)?;
+    }
+    talk.say(format!("{} files written to {}", files.len(), args.out.display()));
+    Ok(if args.json { object(&files) } else { table(&files) })
+}
+
+fn source(args: &ExportArgs, talk: Talk) -> Result<Source, CliError> {
+    let config = Config::load(&args.config)?;
+    // Before the optics, which may take long.
+    TEXELS.check("texels", args.texels as f64)?;
+    let parameters = accepted_parameters(&config, &args.config)?;
+    if parameters.is_none() {
+        talk.say("no accepted parameters yet: phase functions only");
+    }
+    let spinner = progress::spinner("optics", talk.quiet);
+    let phase = phase_set(&config);
+    spinner.finish_and_clear();
+    let phase = phase?;
+    let sampled = phase.sample(args.texels).map_err(pipeline::input_error)?;
+    Ok(Source { phase, sampled, parameters })
+}
+
+/// The files of one format.
+fn files(format: Format, source: &Source) -> Result<Vec<File>, TablesError> {
+    use Precision::{F16, F32, F64};
+    match format {
+        Format::Csv => source.pair("csv", F64, phase_csv, parameters_csv),
+        Format::Json => source.pair("json", F64, phase_json, parameters_json),
+        Format::Npz => source.pair("npz", F64, phase_npz, parameters_npz),
+        Format::Exr => source.pair("exr", F32, phase_exr, parameters_exr),
+        Format::Ktx2F32 => {
+            source.pair("rgba32f.ktx2", F32, |set| phase_ktx2(set, F32), |table| parameters_ktx2(table, F32))
+        }
+        Format::Ktx2F16 => {
+            source.pair("rgba16f.ktx2", F16, |set| phase_ktx2(set, F16), |table| parameters_ktx2(table, F16))
+        }
+    }
+}
+
+type Bytes = Result<Vec<u8>, TablesError>;
+
+impl Source {
+    /// The container of the phase functions, and that of the parameters if there are any.
+    fn pair(
+        &self,
+        ending: &str,
+        precision: Precision,
+        phase: impl Fn(&SampledSet) -> Bytes,
+        parameters: impl Fn(&ParameterTexels) -> Bytes,
+    ) -> Result<Vec<File>, TablesError> {
+        let cards = self.phase.cards(&self.sampled, precision);
+        let mut files = vec![File {
+            name: format!("phase.{ending}"),
+            bytes: phase(&self.sampled)?,
+            worth: Worth::Cards(cards),
+        }];
+        if let Some(table) = &self.parameters {
+            let largest_error = rounding(table, precision);
+            let worth = Worth::Rounding { precision, rows: table.rows.len(), largest_error };
+            files.push(File { name: format!("parameters.{ending}"), bytes: parameters(table)?, worth });
+        }
+        Ok(files)
+    }
+}
+
+/// A line per card; of a parameter table, a line with what rounding changes.
+fn table(files: &[File]) -> String {
+    let mut text = format!("file,{}\n", NamedCard::columns());
+    for file in files {
+        match &file.worth {
+            Worth::Cards(cards) => {
+                text.extend(cards.iter().map(|card| format!("{},{}\n", file.name, card.csv())));
+            }
+            Worth::Rounding { precision, rows, largest_error } => {
+                let name = precision.name();
+                text += &format!("{},parameters,,{name},{rows},,,,,,,,,{largest_error},,,\n", file.name);
+            }
+        }
+    }
+    text
+}
+
+fn object(files: &[File]) -> String {
+    let object = serde_json::json!({ "schema": "stratiform/export/1", "files": files });
+    format!("{object}\n")
+}

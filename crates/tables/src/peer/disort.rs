@@ -1,0 +1,41 @@
+//! DISORT's `PMOM`: Legendre moments as text, one a line.
+//!
+//! Convention of DISORT 1 to 4 and cdisort, checked with cdisort by nanodisort 0.3.0: χ_l = ½∫P P_l(μ) dμ, l = 0 first,
+//! χ_0 = 1, without the factor 2l+1 (libRadtran's `pmom` and Eradiate's have it). Lines from `#` on are comments. What the
+//! program reconstructs, without delta-M, is the truncated sum Σ(2l+1)χ_l P_l(μ): its g is exact, its peak too low, and
+//! with too few moments it swings below zero.
+
+use super::{PeerFile, Reconstruction};
+use crate::TablesError;
+use stratiform_optics::phase::{PhaseFunction, PhaseTable};
+use stratiform_quantities::Range;
+
+/// Numbers of moments that are written.
+pub const MOMENTS: Range = Range::closed(2.0, 32768.0);
+
+/// χ_0 … χ_{count-1}.
+///
+/// # Errors
+/// [`TablesError::Domain`] unless 2 ≤ `count` ≤ 32768.
+pub fn pmom(table: &PhaseTable, count: usize) -> Result<PeerFile<String>, TablesError> {
+    MOMENTS.check("moments of PMOM", count as f64)?;
+    let mut chi = table.moments(count);
+    chi[0] = 1.0;
+    let lines: String = chi.iter().map(|chi| format!("{chi}\n")).collect();
+    let content = format!(
+        "# PMOM: Legendre moments chi_0, chi_1, ... without the factor 2l+1; {count} of them\n{lines}"
+    );
+    let quality = Reconstruction::new(table, 1.0, chi[1], |theta| sum(&chi, libm::cos(theta)));
+    Ok(PeerFile { content, quality: vec![quality] })
+}
+
+/// Σ(2l+1)χ_l P_l(μ).
+fn sum(chi: &[f64], mu: f64) -> f64 {
+    let (mut before, mut legendre, mut total) = (0.0, 1.0, 0.0);
+    for (l, chi) in chi.iter().enumerate() {
+        let l = l as f64;
+        total += (2.0 * l + 1.0) * chi * legendre;
+        (before, legendre) = (legendre, ((2.0 * l + 1.0) * mu * legendre - l * before) / (l + 1.0));
+    }
+    total
+}

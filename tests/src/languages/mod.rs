@@ -1,0 +1,112 @@
+//! The emitted text in every language, through that language's own compilers, and executed where it can be.
+//!
+//! Each language has a driver in `drivers/`, which is what a user would write: it evaluates all vectors of
+//! `self_test.json` with the emitted functions. Its output is one list of f32: the count of wrong values that the
+//! embedded self-test found, then nine fluxes per vector. [`comparator`] holds them against the f64 model.
+//!
+//! C, C++ and Rust are compiled and run. Metal's language is C++ with a library: g++ with a stand-in for that library
+//! (on GLM) checks the types and runs it. GLSL 450 and HLSL become SPIR-V and run on the graphics device; GLSL 330 and
+//! 300 es are compiled only.
+
+pub mod comparator;
+pub mod native;
+pub mod shaders;
+pub mod signatures;
+pub mod tools;
+
+use std::fs;
+use std::path::PathBuf;
+use stratiform_codegen::SelfTest;
+use stratiform_quantities::Incidence;
+
+/// A folder of emitted files.
+pub struct Emitted {
+    folder: PathBuf,
+    /// Inputs, and what the f64 model gives for them.
+    pub test: SelfTest,
+}
+
+impl Emitted {
+    /// The committed text of the paper's cloud, as a user takes it; or that of the folder `STRATIFORM_EMITTED`.
+    ///
+    /// # Panics
+    /// If it cannot be read: a test then fails.
+    #[expect(clippy::expect_used, reason = "for tests only")]
+    pub fn committed() -> Self {
+        let committed = || crate::root().join("fit-configs/appendix-b/generated");
+        let folder = std::env::var_os("STRATIFORM_EMITTED").map_or_else(committed, PathBuf::from);
+        let test = fs::read_to_string(folder.join("self_test.json")).expect("the self-test's vectors");
+        Self { folder, test: serde_json::from_str(&test).expect("vectors that can be read") }
+    }
+
+    /// The files, in order.
+    ///
+    /// # Panics
+    /// If the folder cannot be read.
+    #[expect(clippy::expect_used, reason = "for tests only")]
+    pub fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.folder).expect("a folder that can be read");
+        let names = entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned());
+        let mut names: Vec<_> = names.collect();
+        names.sort();
+        names
+    }
+
+    /// The emitted file `name`.
+    ///
+    /// # Panics
+    /// If it cannot be read: a test then fails.
+    pub fn text(&self, name: &str) -> String {
+        String::from_utf8(self.bytes(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    /// The bytes of the emitted file `name`.
+    ///
+    /// # Panics
+    /// If it cannot be read: a test then fails.
+    pub fn bytes(&self, name: &str) -> Vec<u8> {
+        fs::read(self.folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    /// (μ_l, τ) of every vector, μ_l = -1 for diffuse light, as the drivers take them.
+    #[expect(clippy::cast_possible_truncation, reason = "the vectors' inputs are f32 exactly")]
+    pub fn input(&self) -> Vec<u8> {
+        let pair = |mu_l: Incidence, tau: f64| {
+            let mu = match mu_l {
+                Incidence::Beam(mu) => mu.get(),
+                Incidence::Diffuse => -1.0,
+            };
+            [mu as f32, tau as f32]
+        };
+        let pairs = self.test.vectors.iter().flat_map(|vector| pair(vector.mu_l, vector.tau));
+        pairs.flat_map(f32::to_le_bytes).collect()
+    }
+}
+
+/// What a driver wrote.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// Wrong values that the embedded self-test counted.
+    pub wrong: u32,
+    /// Nine fluxes per vector.
+    pub fluxes: Vec<f32>,
+}
+
+impl Output {
+    /// From a driver's bytes: the count, then the fluxes.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a count below 2^24 that a driver wrote as f32"
+    )]
+    pub fn read(bytes: &[u8]) -> Self {
+        let values = floats(bytes);
+        let wrong = values.first().map_or(u32::MAX, |count| *count as u32);
+        Self { wrong, fluxes: values.get(1..).unwrap_or_default().to_vec() }
+    }
+}
+
+/// Little-endian f32.
+pub fn floats(bytes: &[u8]) -> Vec<f32> {
+    bytes.as_chunks().0.iter().map(|four| f32::from_le_bytes(*four)).collect()
+}

@@ -1,0 +1,138 @@
+//! Shader languages: to SPIR-V by their own compilers, which is validated, and executed on the device.
+
+use super::tools::{Scratch, ToolError, words};
+use super::{Emitted, Output};
+use std::path::PathBuf;
+use stratiform_gpu::{Gpu, GpuError};
+
+const DRIVER_GLSL: &str = include_str!("drivers/driver.glsl");
+const DRIVER_HLSL: &str = include_str!("drivers/driver.hlsl");
+const DRIVER_WGSL: &str = include_str!("drivers/driver.wgsl");
+const FRAGMENT_GLSL: &str = include_str!("drivers/fragment.glsl");
+
+/// Where the drivers start.
+const ENTRY: &str = "main";
+/// Where DXC is named when it is missing.
+pub const DXC: &str = "DXC (libdxcompiler)";
+
+fn validated(scratch: &Scratch, module: &str) -> Result<Vec<u32>, ToolError> {
+    scratch.run("spirv-val", &["--target-env", "vulkan1.1", module])?;
+    words(&scratch.path(module))
+}
+
+/// Validates a binary module for Vulkan.
+///
+/// # Errors
+/// [`ToolError`] if the validator is missing or refuses.
+pub fn validate_spirv(bytes: &[u8]) -> Result<Vec<u32>, ToolError> {
+    let scratch = Scratch::new()?;
+    scratch.write("module.spv", bytes)?;
+    validated(&scratch, "module.spv")
+}
+
+/// GLSL 450 `text` with its driver as SPIR-V.
+///
+/// # Errors
+/// [`ToolError`] if a tool is missing or refuses.
+pub fn glsl_compute(text: &str) -> Result<Vec<u32>, ToolError> {
+    let scratch = Scratch::new()?;
+    scratch.write("driver.comp", format!("#version 450\n{text}\n{DRIVER_GLSL}"))?;
+    scratch
+        .run("glslangValidator", &["-V", "--target-env", "vulkan1.1", "driver.comp", "-o", "driver.spv"])?;
+    validated(&scratch, "driver.spv")
+}
+
+/// Compiles GLSL `text` of `version` in a fragment shader that calls it.
+///
+/// # Errors
+/// [`ToolError`] if the compiler is missing or refuses.
+pub fn glsl_fragment(version: &str, text: &str) -> Result<(), ToolError> {
+    let scratch = Scratch::new()?;
+    let head = format!("#version {version}\nprecision highp float;\nprecision highp int;\n");
+    scratch.write("driver.frag", format!("{head}{text}\n{FRAGMENT_GLSL}"))?;
+    scratch.run("glslangValidator", &["driver.frag"]).map(drop)
+}
+
+/// HLSL `text` with its driver as SPIR-V, by glslang's front end.
+///
+/// # Errors
+/// [`ToolError`] if a tool is missing or refuses.
+pub fn hlsl_by_glslang(text: &str) -> Result<Vec<u32>, ToolError> {
+    let scratch = Scratch::new()?;
+    scratch.write("driver.hlsl", format!("{text}\n{DRIVER_HLSL}"))?;
+    let arguments = ["-D", "-V", "--target-env", "vulkan1.1", "-S", "comp", "-e", ENTRY];
+    scratch.run("glslangValidator", &[&arguments[..], &["driver.hlsl", "-o", "driver.spv"]].concat())?;
+    validated(&scratch, "driver.spv")
+}
+
+/// HLSL `text` by Microsoft's compiler, warnings denied: alone as a library and with its driver as DXIL, then as SPIR-V.
+///
+/// # Errors
+/// [`ToolError`] if a tool is missing or refuses.
+pub fn hlsl_by_dxc(text: &str) -> Result<Vec<u32>, ToolError> {
+    let scratch = Scratch::new()?;
+    scratch.write("library.hlsl", text)?;
+    scratch.write("driver.hlsl", format!("{text}\n{DRIVER_HLSL}"))?;
+    dxc(&scratch, "library.hlsl", &["-T", "lib_6_3"])?;
+    // The driver's bindings are for Vulkan: DXIL has no use for them and warns.
+    let kernel = ["-T", "cs_6_0", "-E", ENTRY, "-Wno-ignored-attributes"];
+    dxc(&scratch, "driver.hlsl", &kernel)?;
+    dxc(&scratch, "driver.hlsl", &[&kernel[..], &["-spirv", "-fspv-target-env=vulkan1.1"]].concat())?;
+    validated(&scratch, "compiled")
+}
+
+/// Where scripts/test puts the library.
+fn dxc_library() -> PathBuf {
+    std::env::var_os("STRATIFORM_DXC")
+        .map_or_else(|| crate::root().join("target/tools/libdxcompiler.so"), PathBuf::from)
+}
+
+fn dxc(scratch: &Scratch, source: &str, options: &[&str]) -> Result<(), ToolError> {
+    let library = dxc_library().canonicalize().map_err(|_| ToolError::Missing(DXC))?;
+    let script = crate::root().join("scripts/dxc.py").canonicalize()?;
+    let (library, script) = (library.to_string_lossy(), script.to_string_lossy());
+    let arguments = [&[&*script, &*library, source, "compiled"][..], options, &["-WX"]].concat();
+    scratch.run("python3", &arguments).map(drop)
+}
+
+/// Output bytes and workgroups of the drivers.
+fn size(emitted: &Emitted) -> (usize, [u32; 3]) {
+    let vectors = emitted.test.vectors.len();
+    #[expect(clippy::cast_possible_truncation, reason = "hundreds of vectors")]
+    let groups = vectors.div_ceil(64) as u32;
+    (4 + 36 * vectors, [groups, 1, 1])
+}
+
+/// Runs a driver's validated module on the device.
+///
+/// # Errors
+/// [`GpuError`] if the device refuses.
+#[allow(unsafe_code, reason = "the module is validated")]
+pub fn run(gpu: &Gpu, module: &[u32], emitted: &Emitted) -> Result<Output, GpuError> {
+    let (bytes, groups) = size(emitted);
+    // SAFETY: spirv-val has seen the module; the driver stays within its buffers.
+    let output = unsafe { gpu.run_spirv(module, ENTRY, &[&emitted.input()], bytes, groups) }?;
+    Ok(Output::read(&output))
+}
+
+/// Runs WGSL `text` with its driver on the device.
+///
+/// # Errors
+/// [`GpuError`] if the device refuses.
+pub fn run_wgsl(gpu: &Gpu, text: &str, emitted: &Emitted) -> Result<Output, GpuError> {
+    let (bytes, groups) = size(emitted);
+    let module = format!("{text}\n{DRIVER_WGSL}");
+    Ok(Output::read(&gpu.run(&module, ENTRY, &[&emitted.input()], bytes, groups)?))
+}
+
+/// Runs the emitted kernel on the device: nine fluxes per vector.
+///
+/// # Errors
+/// [`GpuError`] if the device refuses.
+#[allow(unsafe_code, reason = "the module is validated")]
+pub fn run_kernel(gpu: &Gpu, module: &[u32], entry: &str, emitted: &Emitted) -> Result<Vec<f32>, GpuError> {
+    let (bytes, groups) = size(emitted);
+    // SAFETY: spirv-val has seen the module; the kernel stays within its buffers.
+    let output = unsafe { gpu.run_spirv(module, entry, &[&emitted.input()], bytes - 4, groups) }?;
+    Ok(super::floats(&output))
+}
