@@ -6,6 +6,7 @@ mod common;
 
 use common::{root, run, stdout};
 use serde_json::Value;
+use std::f64::consts::PI;
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
@@ -73,6 +74,17 @@ fn a_right_table_passes_and_wrong_ones_are_named() {
     let document: Value = serde_json::from_slice(&flipped.stdout).unwrap();
     assert_eq!(document["faults"], serde_json::json!(["angle-sign"]));
     assert!(document.get("mie").is_none(), "no droplets were given");
+
+    let repaired = run(path, &with(&["flipped.csv", "--repaired", "right.csv"], &[]));
+    assert_eq!(repaired.status.code(), Some(1), "the file itself is still wrong");
+    stdout(path, &with(&["right.csv"], &DROPLETS));
+    write_table(path, "density.csv", |rows| rows.iter().map(|(t, p)| (*t, 0.25 * p / PI)).collect());
+    assert_eq!(run(path, &with(&["density.csv"], &[])).status.code(), Some(1));
+    stdout(path, &with(&["density.csv", "--normalisation", "per-steradian"], &DROPLETS));
+    let own = fs::read_to_string(path.join("own.csv")).unwrap();
+    let over = run(path, &with(&["own.csv", "--repaired", "./own.csv"], &[]));
+    assert_eq!((over.status.code(), over.stdout.len()), (Some(2), 0));
+    assert_eq!(fs::read_to_string(path.join("own.csv")).unwrap(), own);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use std::fmt::Write;
 use stratiform_optics::phase::{Norm, PhaseTable};
 use stratiform_tables::diagnosis::{
-    Check, Constants, Diagnosis, Known, Verdict, check_constants, diagnose, tabulated,
+    Check, Constants, Diagnosis, Known, Question, Verdict, check_constants, diagnose, tabulated,
 };
 use stratiform_tables::nearest::Blend;
 use stratiform_tables::read::{Choice, Normalisation, RawTable, read};
@@ -37,7 +37,7 @@ fn read_rows(header: &str, rows: &[(f64, f64)]) -> RawTable {
 }
 
 fn look(rows: &[(f64, f64)]) -> Diagnosis {
-    diagnose(&read_rows("theta_deg,p", rows), Some(&cloud().phase), 5.0).unwrap()
+    diagnose(&read_rows("theta_deg,p", rows), Some(&cloud().phase), Question::mean_one(5.0)).unwrap()
 }
 
 fn faults(rows: &[(f64, f64)]) -> Vec<String> {
@@ -75,7 +75,8 @@ fn the_clouds_own_table_passes() {
     assert!(
         diagnosis.checks.len() == 12 && diagnosis.checks.iter().all(|check| check.verdict == Verdict::Ok)
     );
-    let alone = diagnose(&read_rows("", &changed(|theta, p| (theta, p))), None, 5.0).unwrap();
+    let alone =
+        diagnose(&read_rows("", &changed(|theta, p| (theta, p))), None, Question::mean_one(5.0)).unwrap();
     assert!(alone.passes() && alone.checks.len() == 5);
 }
 
@@ -154,11 +155,36 @@ fn bounds_are_where_they_are_stated() {
     }
 }
 
+/// A table per steradian is right where that is what is meant.
+#[test]
+fn another_convention_may_be_meant() {
+    let rows = changed(|theta, p| (theta, 0.25 * p / PI));
+    let question = Question { theta_f_deg: 5.0, normalisation: Normalisation::PerSteradian };
+    let judge = |rows| diagnose(&read_rows("theta_deg,p", rows), Some(&cloud().phase), question).unwrap();
+    assert!(judge(&rows).passes());
+    assert_eq!(judge(&changed(|theta, p| (theta, p))).faults(), ["normalisation"]);
+}
+
+/// Light nowhere but in the peak, or nowhere in the valley before the bow: ratios without a value, no failure.
+#[test]
+fn tables_with_empty_parts_are_judged() {
+    let needle = look(&changed(|theta, p| (theta, if theta < 4.0 { p } else { 0.0 })));
+    assert!(
+        needle.faults().contains(&"wide-shape") && needle.faults().contains(&"glory"),
+        "{:?}",
+        needle.faults()
+    );
+    let dark = look(&changed(|theta, p| (theta, if (90.0..110.0).contains(&theta) { 0.0 } else { p })));
+    assert_eq!(check(&dark, "fogbow-contrast").found, None);
+    assert_eq!(check(&dark, "fogbow-contrast").verdict, Verdict::Wrong);
+}
+
 /// Another cloud's table: the droplets are wrong, the table is not.
 #[test]
 fn smaller_droplets_show_against_mie_only() {
     let smaller = cloud_of(5.0);
-    let diagnosis = diagnose(&tabulated(&smaller.phase).unwrap(), Some(&cloud().phase), 5.0).unwrap();
+    let diagnosis =
+        diagnose(&tabulated(&smaller.phase).unwrap(), Some(&cloud().phase), Question::mean_one(5.0)).unwrap();
     let faults = diagnosis.faults();
     assert!(faults.contains(&"forward-peak") && faults.contains(&"forward-fraction"), "{faults:?}");
     for name in ["angle-unit", "angle-sign", "normalisation", "sampling", "integral"] {
@@ -179,12 +205,13 @@ fn cloud_of(effective_radius_um: f64) -> stratiform_optics::ensemble::Ensemble {
 #[test]
 fn an_analytic_function_lacks_what_it_lacks() {
     let phase = Blend::henyey_greenstein(0.853).phase().unwrap();
-    let diagnosis = diagnose(&tabulated(&phase).unwrap(), Some(&cloud().phase), 5.0).unwrap();
+    let diagnosis =
+        diagnose(&tabulated(&phase).unwrap(), Some(&cloud().phase), Question::mean_one(5.0)).unwrap();
     assert_eq!(
         diagnosis.faults(),
         ["forward-peak", "forward-fraction", "wide-shape", "fogbow-contrast", "glory"]
     );
-    assert!(diagnose(&tabulated(&phase).unwrap(), None, 5.0).unwrap().passes());
+    assert!(diagnose(&tabulated(&phase).unwrap(), None, Question::mean_one(5.0)).unwrap().passes());
 }
 
 #[test]

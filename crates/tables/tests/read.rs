@@ -95,8 +95,16 @@ fn mieplot_is_the_mean_of_both_polarisations() {
         format!("{}\n{}", row(0.65, 2.0), row(0.55, 1.0))
     }) + "******\nQsca 2.1\n";
     assert!(read_text(&text).unwrap_err().contains("several wavelengths (0.55, 0.65)"));
+    // As MiePlot writes it: Latin-1, units in the header.
+    let latin = text.replace("10 um", "10 \u{b5}m").replace("Wavelength", "Wavelength (\u{b5}m)");
+    let latin: Vec<u8> = latin.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
+    let more = text.replace("Perpendicular", "Perpendicular\tDebye");
+    assert!(
+        read_text(&more.replace("\tParallel", "")).unwrap_err().contains("FILE:6: 4 columns are not those")
+    );
     let choice = Choice { wavelength: Some(0.55), ..Choice::default() };
-    let table = read_with(text.as_bytes(), &choice).unwrap();
+    let table = read_with(&latin, &choice).unwrap();
+    assert_eq!(table, read_with(text.as_bytes(), &choice).unwrap());
     assert_eq!((table.layout, table.value.len()), (Layout::MiePlot, 181));
     let understanding = Understanding::of(&table, None).unwrap();
     assert_eq!(understanding.normalisation, Normalisation::Unnormalised);
@@ -151,6 +159,9 @@ fn units_are_told_by_the_range() {
     let mislabelled = lines("theta_deg p\n", |d| format!("{} {}", f64::from(d).to_radians(), p(d)));
     assert!(understood(&mislabelled).unusual().unwrap().contains("says degrees, the range says radians"));
     assert!(read_text(&mislabelled).unwrap().table().is_err());
+    let both =
+        lines("theta,cos_theta,p\n", |d| format!("{d},{},{}", libm::cos(f64::from(d).to_radians()), p(d)));
+    assert!(understood(&both).unusual().is_none(), "the cosine's name is not the angle's");
 }
 
 #[test]
@@ -235,7 +246,7 @@ fn a_huge_file_is_refused_unread() {
     let path = dir.path().join("huge.csv");
     std::fs::File::create(&path).unwrap().set_len(65 << 20).unwrap();
     let error = read(&path, &Choice::default()).unwrap_err().to_string();
-    assert!(error.contains("bytes are more than a phase table has"), "{error}");
+    assert!(error.contains("bytes are no phase table"), "{error}");
 }
 
 /// All zero: no integral.

@@ -18,6 +18,14 @@ impl Columns {
         names.join(" and ")
     }
 
+    /// The angle's name, or all that is known of it: the line before the rows.
+    pub(super) fn angle_name<'a>(&self, sheet: &'a Sheet) -> Option<&'a str> {
+        match &sheet.names {
+            Some(names) => Some(&names[self.angle]),
+            None => sheet.header.as_deref(),
+        }
+    }
+
     /// Columns that are not read.
     pub(super) fn left_out(&self, sheet: &Sheet) -> Vec<String> {
         let read = |i: &usize| *i == self.angle || self.value.contains(i) || self.wavelength == Some(*i);
