@@ -5,7 +5,8 @@ use super::tools::{Scratch, ToolError};
 
 const DRIVER_C: &str = include_str!("drivers/driver.c");
 const DRIVER_RUST: &str = include_str!("drivers/driver.rs");
-const METAL_LIBRARY: &str = include_str!("drivers/metal_stdlib");
+/// What stands in for Metal's library.
+pub const METAL_LIBRARY: &str = include_str!("drivers/metal_stdlib");
 
 /// Warnings that users' builds may have on, all of them errors here.
 const WARNINGS: [&str; 7] =
