@@ -226,7 +226,7 @@ fn what_is_no_table_is_refused_with_its_line() {
         ("1\n2\n3\n".to_owned(), "FILE:1: one column: an angle and a value are needed"),
         (
             lines("theta,r,g,b\n", |d| format!("{d},1,1,1")),
-            "FILE: which of the columns r, g, b is meant must be said",
+            "FILE: several columns (r, g, b): one of them must be named",
         ),
     ];
     for (text, expected) in cases {

@@ -44,7 +44,7 @@ pub struct PhaseCheckArgs {
     /// (1-W) HG(G1) + W Draine(G2, ALPHA) instead of a file.
     #[arg(long, value_delimiter = ',', value_parser = finite, num_args = 1, value_name = "W,G1,G2,ALPHA")]
     pub draine: Vec<f64>,
-    /// Column of FILE that holds the value: its name, or its number from 1.
+    /// Column of FILE that holds the value, where there are several: its name, or its number from 1.
     #[arg(long, value_name = "NAME", requires = "file")]
     pub column: Option<String>,
     /// Wavelength of the rows of FILE to take, as it stands there.

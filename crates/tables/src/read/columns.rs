@@ -86,7 +86,7 @@ fn value_of(sheet: &Sheet, lower: &[String], rest: &[usize]) -> Result<Vec<usize
         (None, [first, ..], None) => Ok(vec![*first]),
         (None, several, Some(names)) => {
             let names: Vec<&str> = several.iter().map(|i| names[*i].as_str()).collect();
-            Err(Fault::whole(format!("which of the columns {} is meant must be said", names.join(", "))))
+            Err(Fault::whole(format!("several columns ({}): one of them must be named", names.join(", "))))
         }
     }
 }

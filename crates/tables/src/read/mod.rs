@@ -63,7 +63,7 @@ fn text_of(bytes: Vec<u8>) -> Result<String, Fault> {
         return Err(Fault::whole(format!("more than {LARGEST} bytes are no phase table")));
     }
     let control = |byte: &u8| byte.is_ascii_control() && !byte.is_ascii_whitespace();
-    if let Some(at) = bytes.iter().position(|byte| control(byte)) {
+    if let Some(at) = bytes.iter().position(control) {
         let line = bytes[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
         return Err(Fault::at(line as u64, "not a text file"));
     }
