@@ -9,6 +9,7 @@ use serde::Serialize;
 use stratiform_artifact::{create_folder, write_atomic};
 use stratiform_tables::TablesError;
 use stratiform_tables::parameters::ParameterTexels;
+use stratiform_tables::peer::{NamedFile, Program};
 use stratiform_tables::sampled::TEXELS;
 use stratiform_tables::set::{NamedCard, PhaseSet, SampledSet};
 use stratiform_tables::write::{
@@ -44,8 +45,8 @@ enum Worth {
 
 /// What the writers choose from.
 struct Source {
-    phase: PhaseSet,
-    sampled: SampledSet,
+    /// Name in files, tables, texels.
+    phase: Vec<(&'static str, PhaseSet, SampledSet)>,
     /// None before a table was accepted.
     parameters: Option<ParameterTexels>,
 }
@@ -80,9 +81,17 @@ fn source(args: &ExportArgs, talk: Talk) -> Result<Source, CliError> {
     let spinner = progress::spinner("optics", talk.quiet);
     let phase = phase_set(&config);
     spinner.finish_and_clear();
-    let phase = phase?;
-    let sampled = phase.sample(args.texels).map_err(pipeline::input_error)?;
-    Ok(Source { phase, sampled, parameters })
+    let phase = sampled(phase?, args).map_err(pipeline::input_error)?;
+    Ok(Source { phase, parameters })
+}
+
+fn sampled(
+    spectral: PhaseSet,
+    args: &ExportArgs,
+) -> Result<Vec<(&'static str, PhaseSet, SampledSet)>, TablesError> {
+    let colour = if args.srgb { Some(("phase-srgb", spectral.linear_srgb()?)) } else { None };
+    let sets = [("phase", spectral)].into_iter().chain(colour);
+    sets.map(|(name, set)| set.sample(args.texels).map(|sampled| (name, set, sampled))).collect()
 }
 
 /// The files of one format.
@@ -99,12 +108,25 @@ fn files(format: Format, source: &Source) -> Result<Vec<File>, TablesError> {
         Format::Ktx2F16 => {
             source.pair("rgba16f.ktx2", F16, |set| phase_ktx2(set, F16), |table| parameters_ktx2(table, F16))
         }
+        Format::Mitsuba => source.peer(Program::Mitsuba),
+        Format::MitsubaIrregular => source.peer(Program::MitsubaIrregular),
+        Format::Eradiate => source.peer(Program::Eradiate),
+        Format::Mcx => source.peer(Program::Mcx),
+        Format::Disort => source.peer(Program::Disort),
+        Format::Bevy => source.peer(Program::Bevy),
     }
 }
 
 type Bytes = Result<Vec<u8>, TablesError>;
 
 impl Source {
+    /// Another program's files.
+    fn peer(&self, program: Program) -> Result<Vec<File>, TablesError> {
+        let file =
+            |file: NamedFile| File { name: file.name, bytes: file.bytes, worth: Worth::Cards(file.cards) };
+        Ok(program.files(&self.phase)?.into_iter().map(file).collect())
+    }
+
     /// The container of the phase functions, and that of the parameters if there are any.
     fn pair(
         &self,
@@ -113,12 +135,14 @@ impl Source {
         phase: impl Fn(&SampledSet) -> Bytes,
         parameters: impl Fn(&ParameterTexels) -> Bytes,
     ) -> Result<Vec<File>, TablesError> {
-        let cards = self.phase.cards(&self.sampled, precision);
-        let mut files = vec![File {
-            name: format!("phase.{ending}"),
-            bytes: phase(&self.sampled)?,
-            worth: Worth::Cards(cards),
-        }];
+        let mut files = Vec::new();
+        for (name, set, sampled) in &self.phase {
+            files.push(File {
+                name: format!("{name}.{ending}"),
+                bytes: phase(sampled)?,
+                worth: Worth::Cards(set.cards(sampled, precision)),
+            });
+        }
         if let Some(table) = &self.parameters {
             let largest_error = rounding(table, precision);
             let worth = Worth::Rounding { precision, rows: table.rows.len(), largest_error };
