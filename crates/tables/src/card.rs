@@ -4,11 +4,13 @@
 //! Gauss's rule between the nodes of table and texels. Relative errors are those at these points and at the nodes, where
 //! P > 0; they leave out the cells that a jump of P turns into a ramp, which `total_variation` counts.
 
-use crate::sampled::{Quadrature, coordinate, look_up};
+use crate::TablesError;
+use crate::sampled::{Quadrature, TEXELS, coordinate, look_up};
 use serde::{Deserialize, Serialize};
 use stratiform_optics::phase::PhaseTable;
-use stratiform_quantities::angle_map;
+use stratiform_quantities::{Range, angle_map};
 
+const FINITE: Range = Range::closed(-f64::MAX, f64::MAX);
 /// Where the fogbow is looked for, degrees.
 const FOGBOW_DEG: [f64; 2] = [130.0, 150.0];
 /// The glory, degrees.
@@ -47,7 +49,18 @@ impl Card {
                                        largest_error,largest_at_deg,median_error,total_variation";
 
     /// The card of `values`, as stored, for `table`.
-    pub fn new(table: &PhaseTable, values: &[f64]) -> Self {
+    ///
+    /// # Errors
+    /// [`TablesError::Domain`] unless there are 64 to 1024 values, all finite.
+    pub fn new(table: &PhaseTable, values: &[f64]) -> Result<Self, TablesError> {
+        TEXELS.check("texels", values.len() as f64)?;
+        for value in values {
+            FINITE.check("p", *value)?;
+        }
+        Ok(Self::measure(table, values))
+    }
+
+    fn measure(table: &PhaseTable, values: &[f64]) -> Self {
         let quadrature = Quadrature::new(table, values.len());
         let (p, found) = (|theta: f64| table.at(theta.to_radians()), |theta| look_up(values, theta));
         let g = |f: &dyn Fn(f64) -> f64| quadrature.integral(|t| f(t) * libm::cos(t.to_radians()));

@@ -126,7 +126,7 @@ impl Source {
             files.push(File {
                 name: format!("{name}.{ending}"),
                 bytes: phase(sampled)?,
-                worth: Worth::Cards(set.cards(sampled, precision)),
+                worth: Worth::Cards(set.cards(sampled, precision)?),
             });
         }
         if let Some(table) = &self.parameters {
