@@ -12,7 +12,7 @@ use std::path::PathBuf;
 pub use crate::solve_args::SolveArgs;
 pub use check::CheckArgs;
 pub use export::{ExportArgs, Format};
-pub use phase_check::PhaseCheckArgs;
+pub use phase_check::{Convention, PhaseCheckArgs};
 pub use shell::{CompletionsArgs, ManArgs};
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.

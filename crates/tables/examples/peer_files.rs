@@ -17,10 +17,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).ok_or("give a folder")?);
     create_folder(&folder)?;
     let cloud = cloud()?;
-    let mut quality = serde_json::Map::new();
+    let mut cards = serde_json::Map::new();
     let mut keep = |name: &str, file: PeerFile<Vec<u8>>| -> Result<(), Box<dyn Error>> {
         write_atomic(&folder.join(name), &file.content)?;
-        quality.insert(name.to_owned(), json!(file.quality));
+        cards.insert(name.to_owned(), json!(file.cards));
         Ok(())
     };
     let full = &cloud[1].phase;
@@ -43,13 +43,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             &one.phase,
         )?;
     }
-    write_json(&folder.join("quality.json"), &quality)?;
-    println!("{}", serde_json::to_string_pretty(&quality)?);
+    write_json(&folder.join("cards.json"), &cards)?;
+    println!("{}", serde_json::to_string_pretty(&cards)?);
     Ok(())
 }
 
 fn bytes(file: PeerFile<String>) -> PeerFile<Vec<u8>> {
-    PeerFile { content: file.content.into_bytes(), quality: file.quality }
+    PeerFile { content: file.content.into_bytes(), values: file.values, cards: file.cards }
 }
 
 fn write_source(path: &Path, table: &PhaseTable) -> Result<(), Box<dyn Error>> {

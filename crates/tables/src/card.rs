@@ -57,29 +57,52 @@ impl Card {
         for value in values {
             FINITE.check("p", *value)?;
         }
-        Ok(Self::measure(table, values))
+        let jumps: Vec<f64> = jumps_deg(table).map(angle_map::coordinate).collect();
+        let reach = 2.0 * coordinate(1, values.len());
+        let smooth = |theta_deg: f64| {
+            let u = angle_map::coordinate(theta_deg);
+            jumps.iter().all(|jump| (u - jump).abs() >= reach)
+        };
+        let found = |theta_deg: f64| look_up(values, theta_deg);
+        Ok(Self::of_look_up(table, &Quadrature::new(table, values.len()), smooth, found))
     }
 
-    fn measure(table: &PhaseTable, values: &[f64]) -> Self {
-        let quadrature = Quadrature::new(table, values.len());
-        let (p, found) = (|theta: f64| table.at(theta.to_radians()), |theta| look_up(values, theta));
-        let g = |f: &dyn Fn(f64) -> f64| quadrature.integral(|t| f(t) * libm::cos(t.to_radians()));
-        let errors = relative_errors(table, values, &quadrature);
+    /// The card of any look-up `found` of Θ in degrees, with a rule between whose borders it is smooth; relative
+    /// errors are those where `smooth`.
+    pub(crate) fn of_look_up(
+        table: &PhaseTable,
+        quadrature: &Quadrature,
+        smooth: impl Fn(f64) -> bool,
+        found: impl Fn(f64) -> f64,
+    ) -> Self {
+        let sample = |theta_deg: f64| Sample {
+            theta_deg,
+            p: table.at(theta_deg.to_radians()),
+            found: found(theta_deg),
+        };
+        let inside: Vec<Sample> = quadrature.points.iter().map(|(theta_deg, _)| sample(*theta_deg)).collect();
+        let integral = |f: &dyn Fn(&Sample) -> f64| {
+            let weights = quadrature.points.iter().map(|(_, weight)| weight);
+            weights.zip(&inside).fold(0.0, |sum, (weight, sample)| sum + weight * f(sample))
+        };
+        let asymmetry = integral(&|s| s.found * s.cosine());
+        let borders = quadrature.borders.iter().map(|theta_deg| sample(*theta_deg));
+        let errors = relative_errors(borders.chain(inside.iter().copied()), smooth);
         let largest =
             errors.iter().copied().fold((0.0, 0.0), |worst, e| if e.1 > worst.1 { e } else { worst });
-        let peak = p(0.0);
+        let peak = sample(0.0);
         Self {
-            integral: quadrature.integral(found),
-            asymmetry: g(&found),
-            asymmetry_error: g(&found) - g(&p),
-            peak: values[0],
-            peak_error: (peak > 0.0).then(|| values[0] / peak - 1.0),
+            integral: integral(&|s| s.found),
+            asymmetry,
+            asymmetry_error: asymmetry - integral(&|s| s.p * s.cosine()),
+            peak: peak.found,
+            peak_error: (peak.p > 0.0).then(|| peak.found / peak.p - 1.0),
             fogbow_error: largest_within(&errors, FOGBOW_DEG),
             glory_error: largest_within(&errors, GLORY_DEG),
             largest_error: largest.1,
             largest_at_deg: largest.0,
             median_error: median(errors),
-            total_variation: 0.5 * quadrature.integral(|t| (found(t) - p(t)).abs()),
+            total_variation: 0.5 * integral(&|s| (s.found - s.p).abs()),
         }
     }
 
@@ -102,23 +125,29 @@ impl Card {
     }
 }
 
+/// Where a table jumps, degrees.
+pub(crate) fn jumps_deg(table: &PhaseTable) -> impl Iterator<Item = f64> {
+    table.theta_deg().windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0])
+}
+
+/// Table and look-up at an angle.
+#[derive(Clone, Copy)]
+struct Sample {
+    theta_deg: f64,
+    p: f64,
+    found: f64,
+}
+
+impl Sample {
+    fn cosine(&self) -> f64 {
+        libm::cos(self.theta_deg.to_radians())
+    }
+}
+
 /// Θ in degrees and |look-up/P - 1|.
-fn relative_errors(table: &PhaseTable, values: &[f64], quadrature: &Quadrature) -> Vec<(f64, f64)> {
-    let jumps: Vec<f64> = table
-        .theta_deg()
-        .windows(2)
-        .filter(|pair| pair[0] == pair[1])
-        .map(|pair| angle_map::coordinate(pair[0]))
-        .collect();
-    let reach = 2.0 * coordinate(1, values.len());
-    let smooth = |theta_deg: f64| {
-        let u = angle_map::coordinate(theta_deg);
-        jumps.iter().all(|jump| (u - jump).abs() >= reach)
-    };
-    let inner = quadrature.points.iter().map(|&(theta_deg, _)| theta_deg);
-    let all = quadrature.borders.iter().copied().chain(inner).filter(|&theta_deg| smooth(theta_deg));
-    let with_p = all.map(|theta_deg| (theta_deg, table.at(theta_deg.to_radians()))).filter(|(_, p)| *p > 0.0);
-    with_p.map(|(theta_deg, p)| (theta_deg, (look_up(values, theta_deg) / p - 1.0).abs())).collect()
+fn relative_errors(samples: impl Iterator<Item = Sample>, smooth: impl Fn(f64) -> bool) -> Vec<(f64, f64)> {
+    let counted = samples.filter(|s| s.p > 0.0 && smooth(s.theta_deg));
+    counted.map(|s| (s.theta_deg, (s.found / s.p - 1.0).abs())).collect()
 }
 
 fn largest_within(errors: &[(f64, f64)], [from, to]: [f64; 2]) -> f64 {

@@ -10,7 +10,7 @@ use stratiform_quantities::Asymmetry;
 use stratiform_quantities::angle_map::angle_deg;
 use stratiform_tables::nearest::{
     Blend, Family, NearestDocument, NearestPhases, NearestRow, Objective, fit, jendersie_deon, measure,
-    nearest,
+    nearest, nearest_diameter,
 };
 
 fn table_of(phase: &dyn PhaseFunction) -> PhaseTable {
@@ -84,9 +84,27 @@ fn the_published_claims_hold_for_the_papers_cloud() {
             (row(&found, family, "total-variation"), row(&found, family, "log-least-squares"));
         assert!(by_light.total_variation < by_eye.total_variation && by_eye.log_rms < by_light.log_rms);
     }
+    // The closed form keeps the 95 % too, at a diameter below the effective one: the cloud's sizes are broad.
+    let closed: Vec<_> = found.rows.iter().filter(|row| row.fitted_by == "jendersie-deon-2023").collect();
+    assert!(
+        closed[0].total_variation < 1.0 - matched && closed[0].diameter_um < Some(10.0),
+        "{:?}",
+        closed[0]
+    );
+    assert!(closed[1].total_variation > 0.1 && closed[1].diameter_um == Some(14.0), "{:?}", closed[1]);
     let by_g = row(&found, "henyey-greenstein", "asymmetry");
     assert!(by_g.asymmetry_error.abs() < 1e-12 && by_g.forward_fraction_error < -0.3, "{by_g:?}");
     assert!(found.rows.iter().all(|row| row.glory_ratio < 0.7), "no analytic function has the glory");
+}
+
+/// The closed form's own function is found at its own diameter.
+#[test]
+fn the_nearest_diameter_is_the_planted_one() {
+    for d in [5.0, 8.5, 31.0, 50.0] {
+        let table = table_of(&jendersie_deon(d).unwrap().phase().unwrap());
+        let found = nearest_diameter(&table, Objective::Scattered).unwrap();
+        assert!((found / d - 1.0).abs() < 2e-3, "{found} {d}");
+    }
 }
 
 #[test]

@@ -14,6 +14,11 @@ fn p(degrees: u32) -> f64 {
     phase.value(1.0 - libm::cos(f64::from(degrees).to_radians()))
 }
 
+/// The same at any angle, radians.
+fn p_at(theta: f64) -> f64 {
+    HenyeyGreenstein::new(Asymmetry::new(0.6).unwrap()).value(1.0 - libm::cos(theta))
+}
+
 fn read_with(text: &[u8], choice: &Choice) -> Result<RawTable, String> {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("table.txt");
@@ -90,13 +95,57 @@ fn mieplot_is_the_mean_of_both_polarisations() {
         format!("{}\n{}", row(0.65, 2.0), row(0.55, 1.0))
     }) + "******\nQsca 2.1\n";
     assert!(read_text(&text).unwrap_err().contains("several wavelengths (0.55, 0.65)"));
+    // As MiePlot writes it: Latin-1, units in the header.
+    let latin = text.replace("10 um", "10 \u{b5}m").replace("Wavelength", "Wavelength (\u{b5}m)");
+    let latin: Vec<u8> = latin.chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
+    let more = text.replace("Perpendicular", "Perpendicular\tDebye");
+    assert!(
+        read_text(&more.replace("\tParallel", "")).unwrap_err().contains("FILE:6: 4 columns are not those")
+    );
     let choice = Choice { wavelength: Some(0.55), ..Choice::default() };
-    let table = read_with(text.as_bytes(), &choice).unwrap();
+    let table = read_with(&latin, &choice).unwrap();
+    assert_eq!(table, read_with(text.as_bytes(), &choice).unwrap());
     assert_eq!((table.layout, table.value.len()), (Layout::MiePlot, 181));
     let understanding = Understanding::of(&table, None).unwrap();
     assert_eq!(understanding.normalisation, Normalisation::Unnormalised);
     assert!((understanding.integral / 1e4 - 1.0).abs() < 1e-3, "{}", understanding.integral);
     assert!(table.table().is_err() && (table.repaired().unwrap().asymmetry() - 0.6).abs() < 1e-4);
+}
+
+/// Coefficients (2l+1)χ_l as make_mie_table (several lines) and libRadtran's mie (one line per element) write them: those of
+/// a Henyey–Greenstein function are (2l+1)g^l.
+#[test]
+fn legendre_listings_are_summed() {
+    let coefficients = |g: f64| -> Vec<String> {
+        (0..=40).map(|l| format!(" {:9.5}", f64::from(2 * l + 1) * libm::pow(g, f64::from(l)))).collect()
+    };
+    let head = "! Mie scattering table vs. effective radius (LWC=1 g/m^3)\n 0.550 0.550  wavelength range (micron)\n";
+    let block = |radius: f64, rest: &str, g: f64| {
+        let all = coefficients(g);
+        format!(
+            "{radius:9.4} 1.52E+02 0.999990     40{rest}\n  {}\n  {}\n",
+            all[..21].concat(),
+            all[21..].concat()
+        )
+    };
+    let shdom = format!(
+        "{head}{}{}",
+        block(5.0, "  Reff  Ext  Alb  Nleg", 0.3),
+        block(10.0, "  Reff  Ext  Alb  Nleg", 0.6)
+    );
+    let error = read_text(&shdom).unwrap_err();
+    assert_eq!(error, "FILE: several effective radii (5, 10): one of them must be named");
+    let choice = Choice { effective_radius: Some(10.0), ..Choice::default() };
+    let table = read_with(shdom.as_bytes(), &choice).unwrap();
+    assert_eq!(table.layout, Layout::Legendre);
+    let found = table.table().unwrap();
+    assert!((found.asymmetry() - 0.6).abs() < 1e-5 && (found.at(1.0) / p_at(1.0) - 1.0).abs() < 1e-3);
+    let libradtran = format!("{head}{}  0.1 0.2\n", block(10.0, "     4 Reff  Ext  Alb  Nleg Nphamat", 0.6));
+    assert_eq!(read_text(&libradtran).unwrap().value, table.value);
+    let cut = shdom.lines().take(4).collect::<Vec<_>>().join("\n");
+    assert_eq!(read_text(&cut).unwrap_err(), "FILE:3: 21 coefficients follow, not 41");
+    let word = libradtran.replacen("1.00000", "one", 1);
+    assert_eq!(read_text(&word).unwrap_err(), "FILE:4: `one` is not a number");
 }
 
 #[test]
@@ -110,6 +159,9 @@ fn units_are_told_by_the_range() {
     let mislabelled = lines("theta_deg p\n", |d| format!("{} {}", f64::from(d).to_radians(), p(d)));
     assert!(understood(&mislabelled).unusual().unwrap().contains("says degrees, the range says radians"));
     assert!(read_text(&mislabelled).unwrap().table().is_err());
+    let both =
+        lines("theta,cos_theta,p\n", |d| format!("{d},{},{}", libm::cos(f64::from(d).to_radians()), p(d)));
+    assert!(understood(&both).unusual().is_none(), "the cosine's name is not the angle's");
 }
 
 #[test]
@@ -174,7 +226,7 @@ fn what_is_no_table_is_refused_with_its_line() {
         ("1\n2\n3\n".to_owned(), "FILE:1: one column: an angle and a value are needed"),
         (
             lines("theta,r,g,b\n", |d| format!("{d},1,1,1")),
-            "FILE: which of the columns r, g, b is meant must be said",
+            "FILE: several columns (r, g, b): one of them must be named",
         ),
     ];
     for (text, expected) in cases {
@@ -194,7 +246,7 @@ fn a_huge_file_is_refused_unread() {
     let path = dir.path().join("huge.csv");
     std::fs::File::create(&path).unwrap().set_len(65 << 20).unwrap();
     let error = read(&path, &Choice::default()).unwrap_err().to_string();
-    assert!(error.contains("bytes are more than a phase table has"), "{error}");
+    assert!(error.contains("bytes are no phase table"), "{error}");
 }
 
 /// All zero: no integral.

@@ -20,6 +20,23 @@ pub enum Format {
     /// KTX2, RGBA16F.
     #[value(name = "ktx2-16")]
     Ktx2F16,
+    /// Mitsuba 3's `tabphase`, XML, 65537 values.
+    Mitsuba,
+    /// Eradiate's `tabphase_irregular`, XML.
+    MitsubaIrregular,
+    /// Eradiate's particle properties, netCDF.
+    Eradiate,
+    /// MCX's inverse cumulative distribution, JSON.
+    Mcx,
+    /// DISORT's Legendre moments, text.
+    Disort,
+    /// Bevy's chromatic phase texture in linear sRGB, KTX2; needs three visible wavelengths.
+    Bevy,
+}
+
+impl Format {
+    /// What is written unless asked otherwise: the containers, no other program's own files.
+    const CONTAINERS: [Self; 6] = [Self::Csv, Self::Json, Self::Npz, Self::Exr, Self::Ktx2F32, Self::Ktx2F16];
 }
 
 /// `stratiform export`.
@@ -28,7 +45,9 @@ pub enum Format {
     after_help = "Examples:\n  stratiform export fit-configs/appendix-b.toml --out out/tables\n  stratiform export \
                   fit-configs/appendix-b.toml --out out/tables --formats exr,ktx2-16 --texels 512\nFiles: phase.* with P, P_S \
                   and P_S*P_S of every wavelength at equal steps of the angle map's coordinate. Printed is each file's card: the integral \
-                  of its look-up, g, and the errors relative to the optics at peak, fogbow and glory."
+                  of its look-up, g, and the errors relative to the optics at peak, fogbow and glory. Formats of other programs (mitsuba, \
+                  mitsuba-irregular, eradiate, mcx, disort, bevy) hold P alone, by each program's own convention, and their cards are of that \
+                  program's look-up; --texels does not apply."
 )]
 pub struct ExportArgs {
     /// The fit-config, whose optics section is exported.
@@ -37,7 +56,7 @@ pub struct ExportArgs {
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Which files.
-    #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT,...", default_values_t = Format::value_variants().to_vec())]
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT,...", default_values_t = Format::CONTAINERS)]
     pub formats: Vec<Format>,
     /// Values of each phase function, 64 to 1024.
     #[arg(long, value_name = "N", default_value_t = 256)]

@@ -9,6 +9,7 @@ use serde::Serialize;
 use stratiform_artifact::{create_folder, write_atomic};
 use stratiform_tables::TablesError;
 use stratiform_tables::parameters::ParameterTexels;
+use stratiform_tables::peer::{NamedFile, Program};
 use stratiform_tables::sampled::TEXELS;
 use stratiform_tables::set::{NamedCard, PhaseSet, SampledSet};
 use stratiform_tables::write::{
@@ -44,10 +45,26 @@ enum Worth {
 
 /// What the writers choose from.
 struct Source {
-    /// Name in files, tables, texels.
-    phase: Vec<(&'static str, PhaseSet, SampledSet)>,
+    /// A channel per wavelength.
+    spectral: Phase,
+    /// Linear sRGB.
+    colour: Option<Phase>,
     /// None before a table was accepted.
     parameters: Option<ParameterTexels>,
+}
+
+/// Phase functions before and after sampling.
+struct Phase {
+    /// The name in files.
+    name: &'static str,
+    tables: PhaseSet,
+    texels: SampledSet,
+}
+
+impl Phase {
+    fn new(name: &'static str, tables: PhaseSet, texels: usize) -> Result<Self, TablesError> {
+        Ok(Self { name, texels: tables.sample(texels)?, tables })
+    }
 }
 
 /// Runs the command. Every file is made before the first is written.
@@ -80,17 +97,11 @@ fn source(args: &ExportArgs, talk: Talk) -> Result<Source, CliError> {
     let spinner = progress::spinner("optics", talk.quiet);
     let phase = phase_set(&config);
     spinner.finish_and_clear();
-    let phase = sampled(phase?, args).map_err(pipeline::input_error)?;
-    Ok(Source { phase, parameters })
-}
-
-fn sampled(
-    spectral: PhaseSet,
-    args: &ExportArgs,
-) -> Result<Vec<(&'static str, PhaseSet, SampledSet)>, TablesError> {
-    let colour = if args.srgb { Some(("phase-srgb", spectral.linear_srgb()?)) } else { None };
-    let sets = [("phase", spectral)].into_iter().chain(colour);
-    sets.map(|(name, set)| set.sample(args.texels).map(|sampled| (name, set, sampled))).collect()
+    let spectral = phase?;
+    let colour = args.srgb.then(|| spectral.linear_srgb());
+    let colour = colour.map(|set| Phase::new("phase-srgb", set?, args.texels)).transpose();
+    let spectral = Phase::new("phase", spectral, args.texels).map_err(pipeline::input_error)?;
+    Ok(Source { spectral, colour: colour.map_err(pipeline::input_error)?, parameters })
 }
 
 /// The files of one format.
@@ -107,12 +118,25 @@ fn files(format: Format, source: &Source) -> Result<Vec<File>, TablesError> {
         Format::Ktx2F16 => {
             source.pair("rgba16f.ktx2", F16, |set| phase_ktx2(set, F16), |table| parameters_ktx2(table, F16))
         }
+        Format::Mitsuba => source.peer(Program::Mitsuba),
+        Format::MitsubaIrregular => source.peer(Program::MitsubaIrregular),
+        Format::Eradiate => source.peer(Program::Eradiate),
+        Format::Mcx => source.peer(Program::Mcx),
+        Format::Disort => source.peer(Program::Disort),
+        Format::Bevy => source.peer(Program::Bevy),
     }
 }
 
 type Bytes = Result<Vec<u8>, TablesError>;
 
 impl Source {
+    /// Another program's files.
+    fn peer(&self, program: Program) -> Result<Vec<File>, TablesError> {
+        let file =
+            |file: NamedFile| File { name: file.name, bytes: file.bytes, worth: Worth::Cards(file.cards) };
+        Ok(program.files(&self.spectral.tables)?.into_iter().map(file).collect())
+    }
+
     /// The container of the phase functions, and that of the parameters if there are any.
     fn pair(
         &self,
@@ -122,11 +146,11 @@ impl Source {
         parameters: impl Fn(&ParameterTexels) -> Bytes,
     ) -> Result<Vec<File>, TablesError> {
         let mut files = Vec::new();
-        for (name, set, sampled) in &self.phase {
+        for set in [&self.spectral].into_iter().chain(&self.colour) {
             files.push(File {
-                name: format!("{name}.{ending}"),
-                bytes: phase(sampled)?,
-                worth: Worth::Cards(set.cards(sampled, precision)?),
+                name: format!("{}.{ending}", set.name),
+                bytes: phase(&set.texels)?,
+                worth: Worth::Cards(set.tables.cards(&set.texels, precision)?),
             });
         }
         if let Some(table) = &self.parameters {

@@ -22,7 +22,7 @@ pub struct Check {
     pub name: String,
     /// What came out.
     pub verdict: Verdict,
-    /// The value found.
+    /// The value found; none where it would be infinite.
     pub found: Option<f64>,
     /// The value expected.
     pub expected: Option<f64>,
@@ -48,7 +48,7 @@ impl Check {
         Self {
             name: name.to_owned(),
             verdict: if ok { Verdict::Ok } else { Verdict::Wrong },
-            found: Some(found),
+            found: Some(found).filter(|found| found.is_finite()),
             expected: Some(expected),
             bound: Some(bound),
             follows_from: None,

@@ -40,7 +40,10 @@ pub(super) fn forward_fraction(found: f64, expected: f64) -> Check {
 
 /// Total variation beyond θ_f, each part normalised.
 fn wide_shape(table: &PhaseTable, mie: &PhaseTable, theta_f_deg: f64) -> Result<Check, TablesError> {
-    let off = total_variation(&mie.modified(theta_f_deg)?, &table.modified(theta_f_deg)?);
+    let Ok(part) = table.modified(theta_f_deg) else {
+        return Ok(Check::plain("wide-shape", false, "nothing is scattered beyond theta_f"));
+    };
+    let off = total_variation(&mie.modified(theta_f_deg)?, &part);
     let words = "share of light beyond theta_f that goes elsewhere";
     Ok(Check::number("wide-shape", off, 0.0, WIDE_SHAPE, words))
 }
@@ -66,6 +69,13 @@ fn glory(table: &PhaseTable, mie: &PhaseTable, found: &Landmarks, expected: &Lan
     let mut elsewhere: Vec<f64> = (20..170).map(|degrees| ratio(f64::from(degrees))).collect();
     elsewhere.sort_by(f64::total_cmp);
     let scale = elsewhere[elsewhere.len() / 2];
+    if scale <= 0.0 {
+        return Check::plain(
+            "glory",
+            false,
+            "nothing is scattered between 20 and 170 degrees to compare it with",
+        );
+    }
     let off = |i: i32| ratio(170.0 + 0.25 * f64::from(i)) / scale;
     let worst = (0..=40)
         .map(off)

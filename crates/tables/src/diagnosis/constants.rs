@@ -57,6 +57,11 @@ impl Constants {
         }
     }
 
+    /// Whether there is a constant that is no phase function.
+    pub fn has_single(&self) -> bool {
+        self.asymmetry.is_some() || self.forward_fraction.is_some() || self.extinction_per_m.is_some()
+    }
+
     /// Whether there is nothing to look at.
     pub fn is_empty(&self) -> bool {
         *self == Self::default()

@@ -1,7 +1,7 @@
 //! What one sees in a phase function: the forward peak, the fogbow, the glory.
 //!
 //! The fogbow is the highest local maximum between 120° and 165°, its contrast its value over the least one between 80° and
-//! itself. Glory rings are local maxima beyond 165°; the glory's contrast is the highest value there over the least one
+//! itself. Glory rings are local maxima between 165° and 179.5°, from where on it is the centre; the glory's contrast is the highest value there over the least one
 //! between the fogbow (or 150°) and 180°.
 
 use stratiform_optics::phase::PhaseTable;
@@ -34,7 +34,7 @@ pub struct Landmarks {
     pub glory_contrast: f64,
 }
 
-/// A bow or ring stands out of its neighbours by this much: rounding of printed tables does not make one.
+/// A bow stands out of the valley before it by this much: rounding of printed tables does not make one.
 const STANDS_OUT: f64 = 1.01;
 
 impl Landmarks {
@@ -52,7 +52,7 @@ impl Landmarks {
             half_width_deg: half_width(theta, p),
             fogbow,
             backward_value,
-            rings_deg: maxima(theta, p, 165.0, 180.0).map(|i| theta[i]).collect(),
+            rings_deg: maxima(theta, p, 165.0, 179.5).map(|i| theta[i]).collect(),
             glory_contrast: beyond(165.0).fold(0.0, f64::max) / valley,
         }
     }

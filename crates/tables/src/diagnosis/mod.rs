@@ -20,4 +20,4 @@ mod table;
 
 pub use check::{Check, Verdict};
 pub use constants::{Constants, Known, check_constants};
-pub use table::{Diagnosis, TableFacts, diagnose, tabulated};
+pub use table::{Diagnosis, Question, TableFacts, diagnose, tabulated};

@@ -67,20 +67,37 @@ impl Diagnosis {
     }
 }
 
+/// What is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Question {
+    /// θ_f of P_f.
+    pub theta_f_deg: f64,
+    /// What the values are meant to integrate to.
+    pub normalisation: Normalisation,
+}
+
+impl Question {
+    /// Mean 1 over the sphere.
+    pub const fn mean_one(theta_f_deg: f64) -> Self {
+        Self { theta_f_deg, normalisation: Normalisation::MeanOne }
+    }
+}
+
 /// Looks at `raw`; `mie` is the phase function that it should be, where known.
 ///
 /// # Errors
-/// [`TablesError`] if the values have no integral or `theta_f_deg` is out of domain.
+/// [`TablesError`] if the values have no integral or θ_f is out of domain.
 pub fn diagnose(
     raw: &RawTable,
     mie: Option<&PhaseTable>,
-    theta_f_deg: f64,
+    question: Question,
 ) -> Result<Diagnosis, TablesError> {
+    let theta_f_deg = question.theta_f_deg;
     let understood = Understanding::of(raw, mie)?;
     let table = understood.repaired(raw)?;
     let sampling = Sampling::of(&table);
     let facts = facts(raw, &understood, &table, &sampling, theta_f_deg)?;
-    let mut checks = conventions(&understood);
+    let mut checks = conventions(&understood, question.normalisation);
     let sampled = sampling_check(&facts, mie)?;
     let too_coarse = sampled.is_wrong();
     checks.extend([sampled, integral(&understood, &sampling, too_coarse)]);
@@ -122,7 +139,7 @@ fn facts(
 }
 
 /// Unit, sign and normalisation.
-fn conventions(understood: &Understanding) -> Vec<Check> {
+fn conventions(understood: &Understanding, meant: Normalisation) -> Vec<Check> {
     let unit = match understood.stated_unit.filter(|stated| *stated != understood.unit) {
         Some(stated) => {
             let words = format!("the header says {stated}, the range says {}", understood.unit);
@@ -139,7 +156,7 @@ fn conventions(understood: &Understanding) -> Vec<Check> {
     vec![
         unit,
         Check::plain("angle-sign", !understood.mirrored, sign),
-        Check::plain("normalisation", by == Normalisation::MeanOne, by.words()),
+        Check::plain("normalisation", by == meant, by.words()),
     ]
 }
 

@@ -3,9 +3,12 @@
 //!
 //! g_HG = exp(-0.0990567/(d - 1.67154)), g_D = exp(-2.20679/(d + 3.91029) - 0.428934),
 //! α = exp(3.62489 - 8.29288/(d + 5.52825)), w_D = exp(-0.599085/(d - 0.641583) - 0.665888), d in µm.
-//! For a cloud of many sizes take the effective diameter 2 r_e: P is an average weighted by cross-section.
+//! Which diameter stands for a cloud of many sizes the paper leaves open: small droplets widen the peak, so that a broad
+//! distribution looks like droplets smaller than its effective diameter 2 r_e. [`nearest_diameter`] finds the one.
 
-use super::Blend;
+use super::measure::Sphere;
+use super::{Blend, Objective};
+use stratiform_optics::phase::PhaseTable;
 use stratiform_quantities::{DomainError, Range};
 
 /// Diameters for which the fit was made, µm.
@@ -23,6 +26,37 @@ pub fn jendersie_deon(diameter_um: f64) -> Result<Blend, DomainError> {
         g2: libm::exp(-2.20679 / (d + 3.91029) - 0.428934),
         alpha: libm::exp(3.62489 - 8.29288 / (d + 5.52825)),
     })
+}
+
+/// Steps of the search over ln d, which are then halved.
+const STEPS: u32 = 60;
+
+/// The diameter in [`DIAMETER_UM`] whose blend is nearest to `table`, to 1e-4 of itself.
+///
+/// # Errors
+/// None in practice: every diameter tried is in the fit's domain.
+pub fn nearest_diameter(table: &PhaseTable, objective: Objective) -> Result<f64, DomainError> {
+    let sphere = Sphere::new(table);
+    let distance = |ln: f64| -> Result<f64, DomainError> {
+        let d = libm::exp(ln).clamp(DIAMETER_UM.min, DIAMETER_UM.max);
+        Ok(objective.of(&sphere, &jendersie_deon(d)?.phase()?))
+    };
+    let (first, last) = (libm::log(DIAMETER_UM.min), libm::log(DIAMETER_UM.max));
+    let mut step = (last - first) / f64::from(STEPS);
+    let mut best = (f64::INFINITY, first);
+    for i in 0..=STEPS {
+        let ln = first + step * f64::from(i);
+        let off = distance(ln)?;
+        best = if off < best.0 { (off, ln) } else { best };
+    }
+    while step > 1e-4 {
+        step *= 0.5;
+        for ln in [best.1 - step, best.1 + step] {
+            let off = distance(ln.clamp(first, last))?;
+            best = if off < best.0 { (off, ln.clamp(first, last)) } else { best };
+        }
+    }
+    Ok(libm::exp(best.1).clamp(DIAMETER_UM.min, DIAMETER_UM.max))
 }
 
 #[cfg(test)]

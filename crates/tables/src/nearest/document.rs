@@ -14,6 +14,8 @@ pub struct NearestRow {
     pub family: String,
     /// `asymmetry`, `total-variation`, `log-least-squares`, `jendersie-deon-2023`.
     pub fitted_by: String,
+    /// Droplet diameter of the closed form; empty for what was fitted.
+    pub diameter_um: Option<f64>,
     /// Weight of the second lobe.
     pub w: f64,
     /// g of the first lobe.
@@ -47,13 +49,20 @@ pub struct NearestRow {
 }
 
 impl NearestRow {
-    pub(super) fn new(family: &str, fitted_by: &str, blend: Blend, measured: &Measured) -> Self {
+    pub(super) fn new(
+        family: &str,
+        fitted_by: &str,
+        diameter_um: Option<f64>,
+        blend: Blend,
+        measured: &Measured,
+    ) -> Self {
         let [asymmetry, asymmetry_error] = measured.asymmetry;
         let [forward_fraction, forward_fraction_error] = measured.forward_fraction;
         let [backward_fraction, backward_fraction_error] = measured.backward_fraction;
         Self {
             family: family.to_owned(),
             fitted_by: fitted_by.to_owned(),
+            diameter_um,
             w: blend.w,
             g1: blend.g1,
             g2: blend.g2,

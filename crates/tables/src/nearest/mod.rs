@@ -12,8 +12,8 @@
 //!   A relative error counts the same everywhere, so that it fits what an eye sees in sky directions; the peak, a few
 //!   thousandths of the sphere, is given away.
 //!
-//! Besides there is the function with the cloud's own g, which keeps the reflectance of thick layers, and, given a droplet
-//! diameter, Jendersie and d'Eon's closed form as a rival.
+//! Besides there is the function with the cloud's own g, which keeps the reflectance of thick layers, and as a rival Jendersie and
+//! d'Eon's closed form in the droplet diameter.
 
 mod blend;
 mod closed_form;
@@ -22,7 +22,7 @@ mod measure;
 mod search;
 
 pub use blend::{Blend, BlendPhase};
-pub use closed_form::{DIAMETER_UM, jendersie_deon};
+pub use closed_form::{DIAMETER_UM, jendersie_deon, nearest_diameter};
 pub use document::{NearestDocument, NearestPhases, NearestRow};
 pub use measure::{Measured, measure};
 pub use search::{Family, Objective, fit};
@@ -30,7 +30,8 @@ pub use search::{Family, Objective, fit};
 use crate::TablesError;
 use stratiform_optics::phase::{PhaseFunction, PhaseTable};
 
-/// Every approximation of `table`, measured. θ_f is that of P_f; `diameter_um` adds the closed form.
+/// Every approximation of `table`, measured. θ_f is that of P_f. The closed form stands there with the diameter that suits
+/// `table` best, and with `diameter_um`.
 ///
 /// # Errors
 /// [`TablesError`] if `theta_f_deg` or `diameter_um` is out of domain.
@@ -39,20 +40,22 @@ pub fn nearest(
     theta_f_deg: f64,
     diameter_um: Option<f64>,
 ) -> Result<NearestPhases, TablesError> {
-    let mut found = vec![("henyey-greenstein", "asymmetry", Blend::henyey_greenstein(table.asymmetry()))];
+    let row = |family: Family, by: &str, diameter: Option<f64>, blend: Blend| {
+        let measured = measure(table, blend, theta_f_deg)?;
+        Ok(NearestRow::new(family.name(), by, diameter, blend, &measured))
+    };
+    let by_g = Blend::henyey_greenstein(table.asymmetry());
+    let mut rows = vec![row(Family::HenyeyGreenstein, "asymmetry", None, by_g)];
     for family in [Family::HenyeyGreenstein, Family::TwoLobe, Family::HgDraine] {
         for objective in [Objective::Scattered, Objective::Seen] {
-            found.push((family.name(), objective.name(), fit(table, family, objective)?));
+            rows.push(row(family, objective.name(), None, fit(table, family, objective)?));
         }
     }
-    if let Some(diameter_um) = diameter_um {
-        found.push((Family::HgDraine.name(), "jendersie-deon-2023", jendersie_deon(diameter_um)?));
+    let best = nearest_diameter(table, Objective::Scattered)?;
+    for diameter in std::iter::once(best).chain(diameter_um) {
+        let blend = jendersie_deon(diameter)?;
+        rows.push(row(Family::HgDraine, "jendersie-deon-2023", Some(diameter), blend));
     }
-    let rows = found
-        .into_iter()
-        .map(|(family, by, blend)| {
-            Ok(NearestRow::new(family, by, blend, &measure(table, blend, theta_f_deg)?))
-        })
-        .collect::<Result<_, TablesError>>()?;
+    let rows = rows.into_iter().collect::<Result<_, TablesError>>()?;
     Ok(NearestPhases { theta_f_deg, rows })
 }

@@ -4,7 +4,7 @@
 //! the total variation does not have where P = Q. The best of all starts is returned; nothing is random.
 
 use super::measure::Sphere;
-use super::{Blend, Family::*};
+use super::{Blend, BlendPhase, Family::*};
 use crate::TablesError;
 use argmin::core::{CostFunction, Error, Executor, State};
 use argmin::solver::neldermead::NelderMead;
@@ -78,6 +78,14 @@ impl Objective {
             Self::Seen => "log-least-squares",
         }
     }
+
+    /// The distance.
+    pub(super) fn of(self, sphere: &Sphere, phase: &BlendPhase) -> f64 {
+        match self {
+            Self::Scattered => sphere.total_variation(phase),
+            Self::Seen => sphere.log_rms(phase),
+        }
+    }
 }
 
 struct Distance<'a> {
@@ -92,10 +100,7 @@ impl CostFunction for Distance<'_> {
 
     fn cost(&self, x: &Vec<f64>) -> Result<f64, Error> {
         let phase = self.family.blend(x).phase()?;
-        Ok(match self.objective {
-            Objective::Scattered => self.sphere.total_variation(&phase),
-            Objective::Seen => self.sphere.log_rms(&phase),
-        })
+        Ok(self.objective.of(self.sphere, &phase))
     }
 }
 

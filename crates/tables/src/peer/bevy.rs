@@ -10,9 +10,9 @@
 //! `phase_resolution` as high as the peak needs.
 
 use super::cosine::OverCosine;
-use super::tents::GAUSS;
-use super::{PeerFile, Reconstruction};
+use super::{PeerFile, worth};
 use crate::TablesError;
+use crate::card::Card;
 use crate::colour::SrgbPhase;
 use std::f64::consts::PI;
 use stratiform_optics::phase::{Norm, PhaseTable};
@@ -27,8 +27,8 @@ pub const RESOLUTION: Range = Range::closed(2.0, 8192.0);
 /// The texels of `columns` columns, back to forward, for a medium with that `phase_resolution`; alpha is 1.
 ///
 /// # Errors
-/// [`TablesError::Domain`] unless `columns` and `phase_resolution` are in \[2, 8192\]; [`TablesError::Optics`] for a channel
-/// that is negative or not normalised.
+/// [`TablesError::Domain`] unless `columns` and `phase_resolution` are in \[2, 8192\], and for a negative channel;
+/// [`TablesError::Optics`] for one that is not normalised.
 pub fn chromatic_texture(
     colour: &SrgbPhase,
     columns: usize,
@@ -36,16 +36,18 @@ pub fn chromatic_texture(
 ) -> Result<PeerFile<Vec<[f32; 4]>>, TablesError> {
     COLUMNS.check("columns of the phase texture", columns as f64)?;
     RESOLUTION.check("phase_resolution", phase_resolution as f64)?;
+    let (least, theta_deg) = colour.smallest_channel();
+    Range::at_least(0.0).check(&format!("channel of linear sRGB at {theta_deg} degrees"), least)?;
     let mut content = vec![[1.0; 4]; columns];
-    let mut quality = Vec::with_capacity(3);
+    let mut cards = Vec::with_capacity(3);
     for channel in 0..3 {
         let p = colour.rgb.iter().map(|rgb| rgb[channel]).collect();
         let table = PhaseTable::new(colour.theta_deg.clone(), p, Norm::Strict)?;
         let over = OverCosine::equidistant(&table, columns);
         content.iter_mut().zip(&over.p).for_each(|(texel, p)| texel[channel] = (p / (4.0 * PI)) as f32);
-        quality.push(Lookup::new(&over, phase_resolution).reconstruction(&table));
+        cards.push(Lookup::new(&over, phase_resolution).card(&table));
     }
-    Ok(PeerFile { content, quality })
+    Ok(PeerFile { content, values: columns, cards })
 }
 
 /// Bevy's own table: P at the texels' centres, from back to forward.
@@ -67,23 +69,12 @@ impl Lookup {
         self.p[j] + (place - j as f64) * (self.p[j + 1] - self.p[j])
     }
 
-    fn reconstruction(&self, source: &PhaseTable) -> Reconstruction {
-        let (integral, moment) = self.integrals();
-        Reconstruction::new(source, integral, moment / integral, |theta| self.at(coordinate(theta)))
-    }
-
-    /// ½∫P dμ and ½∫Pμ dμ, dμ = 2(1-|s|)ds: Gauss's rule is exact on half a texel, where P is linear in s.
-    fn integrals(&self) -> (f64, f64) {
-        let halves = 2 * self.p.len();
-        let half = 1.0 / halves as f64;
-        (0..halves).flat_map(|k| GAUSS.map(|(node, weight)| (k, node, weight))).fold(
-            (0.0, 0.0),
-            |sum, (k, node, weight)| {
-                let s = (2 * k + 1) as f64 * half - 1.0 + half * node;
-                let part = weight * half * self.at(s) * (1.0 - s.abs());
-                (sum.0 + part, sum.1 + part * libm::cos(angle(s)))
-            },
-        )
+    /// The look-up is smooth between the centres.
+    fn card(&self, source: &PhaseTable) -> Card {
+        let centre = |j: usize| (2 * j + 1) as f64 / self.p.len() as f64 - 1.0;
+        let nodes: Vec<f64> = (0..self.p.len()).rev().map(|j| angle(centre(j)).to_degrees()).collect();
+        let nodes = [vec![0.0], nodes, vec![180.0]].concat();
+        worth::card(source, &nodes, |theta| self.at(coordinate(theta)))
     }
 }
 

@@ -4,7 +4,8 @@
 //! table's own nodes, halved until P at the middle (in Θ) of every cell is right to 3e-5, with cosines that are
 //! different in f32.
 
-use super::{Reconstruction, tents};
+use super::{tents, worth};
+use crate::card::Card;
 use stratiform_optics::phase::PhaseTable;
 
 /// Relative error of the irregular form inside a cell.
@@ -59,23 +60,14 @@ impl OverCosine {
         self.cells().fold(0.0, |sum, ([a, b], [pa, pb])| sum + 0.25 * (b - a) * (pa + pb))
     }
 
-    /// ½∫Pμ dμ.
-    fn first_moment(&self) -> f64 {
-        let of_cell =
-            |[a, b]: [f64; 2], [pa, pb]: [f64; 2]| (b - a) * (pa * (2.0 * a + b) + pb * (a + 2.0 * b));
-        self.cells().fold(0.0, |sum, (mu, p)| sum + of_cell(mu, p) / 12.0)
-    }
-
     fn cells(&self) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
         (1..self.mu.len()).map(|i| ([self.mu[i - 1], self.mu[i]], [self.p[i - 1], self.p[i]]))
     }
 
-    /// This against the table it comes from; a program that normalises divides by the integral first.
-    pub(super) fn reconstruction(&self, source: &PhaseTable) -> Reconstruction {
-        let integral = self.integral();
-        Reconstruction::new(source, integral, self.first_moment() / integral, |theta| {
-            self.at(theta) / integral
-        })
+    /// The card of this against the table it comes from.
+    pub(super) fn card(&self, table: &PhaseTable) -> Card {
+        let nodes: Vec<f64> = self.mu.iter().rev().map(|mu| worth::degrees(*mu)).collect();
+        worth::card(table, &nodes, |theta| self.at(theta))
     }
 }
 

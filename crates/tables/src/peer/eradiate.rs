@@ -4,10 +4,11 @@
 //! ascending), `phamat` ("11": no polarisation), `mu` and `theta` (w × iangle, μ ascending from -1 to 1, 1 forward,
 //! padded with NaN to the longest); variables `ext` (m⁻¹), `ssa`, `phase` (phamat × w × iangle, ∫p dμ = 2, which is P),
 //! `nangles`, `pmom` (w × imom, with the factor 2l+1) and `nmom`. The kernel is linear in μ between nodes
-//! (`tabphase_irregular`); nodes are those of the irregular form. The container is classic netCDF (CDF-1).
+//! (`tabphase_irregular`); nodes are those of the irregular form, different in f32 because the single-precision modes
+//! refuse equal ones. The container is classic netCDF (CDF-1).
 
-use super::PeerFile;
 use super::cosine::OverCosine;
+use super::{PeerFile, worth};
 use crate::TablesError;
 use netcdf_writer::{DimensionId, NcAttrValue, NcFileBuilder, NcWriteOptions, VariableId};
 use stratiform_optics::phase::{PhaseFunction, PhaseTable};
@@ -41,8 +42,9 @@ pub fn particle_properties(
     check(spectrum, moments)?;
     let over: Vec<OverCosine> = spectrum.iter().map(|one| OverCosine::irregular(one.phase)).collect();
     let content = dataset(spectrum, &over, moments).map_err(container)?;
-    let quality = over.iter().zip(spectrum).map(|(over, one)| over.reconstruction(one.phase)).collect();
-    Ok(PeerFile { content, quality })
+    let cards = over.iter().zip(spectrum).map(|(over, one)| over.card(one.phase)).collect();
+    let values = over.iter().fold(0, |most, over| most.max(over.mu.len()));
+    Ok(PeerFile { content, values, cards })
 }
 
 fn check(spectrum: &[Wavelength<'_>], moments: usize) -> Result<(), TablesError> {
@@ -97,7 +99,7 @@ fn pad(mut row: Vec<f64>, length: usize) -> Vec<f64> {
 }
 
 fn degrees(over: &OverCosine) -> Vec<f64> {
-    over.mu.iter().map(|mu| 2.0 * libm::asin((0.5 * (1.0 - mu)).max(0.0).sqrt()).to_degrees()).collect()
+    over.mu.iter().map(|mu| worth::degrees(*mu)).collect()
 }
 
 /// (2l+1)χ_l.

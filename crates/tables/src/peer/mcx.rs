@@ -5,8 +5,9 @@
 //! two values: 2/((n+1)Δμ). n must be even, or the program pads with a second 1 and shifts every probability. Values
 //! are f32 and live in 48 KiB of a GPU's shared memory beside the photons. One table holds for all media.
 
-use super::{PeerFile, Reconstruction, text};
+use super::{PeerFile, text, worth};
 use crate::TablesError;
+use crate::card::Card;
 use stratiform_optics::phase::PhaseTable;
 use stratiform_quantities::Range;
 
@@ -26,7 +27,7 @@ pub fn inverse_cdf(table: &PhaseTable, count: usize) -> Result<PeerFile<String>,
         Range::above(0.0).check("step of InverseCDF in f32", pair[1] - pair[0])?;
     }
     let content = format!("{{\"Domain\": {{\"InverseCDF\": [\n{}\n]}}}}\n", text::list(&mu, ",", ""));
-    Ok(PeerFile { content, quality: vec![reconstruction(table, &padded)] })
+    Ok(PeerFile { content, values: count, cards: vec![card(table, &padded)] })
 }
 
 /// μ at i/(n+1), rounded to f32.
@@ -40,12 +41,12 @@ fn values(table: &PhaseTable, count: usize) -> Vec<f64> {
     (1..=count).map(at).collect()
 }
 
-fn reconstruction(table: &PhaseTable, mu: &[f64]) -> Reconstruction {
+fn card(table: &PhaseTable, mu: &[f64]) -> Card {
     let share = 1.0 / (mu.len() - 1) as f64;
-    let asymmetry = mu.windows(2).fold(0.0, |sum, pair| sum + 0.5 * share * (pair[0] + pair[1]));
     let p = |theta: f64| {
         let right = mu.partition_point(|node| *node < libm::cos(theta)).clamp(1, mu.len() - 1);
         2.0 * share / (mu[right] - mu[right - 1])
     };
-    Reconstruction::new(table, 1.0, asymmetry, p)
+    let nodes: Vec<f64> = mu.iter().rev().map(|mu| worth::degrees(*mu)).collect();
+    worth::card(table, &nodes, p)
 }

@@ -24,7 +24,7 @@ pub fn tabphase(table: &PhaseTable, count: usize) -> Result<PeerFile<String>, Ta
     VALUES.check("values of tabphase", count as f64)?;
     let over = OverCosine::equidistant(table, count);
     let content = plugin("tabphase", &[("values", &over.p)]);
-    Ok(PeerFile { content, quality: vec![over.reconstruction(table)] })
+    Ok(PeerFile { content, values: count, cards: vec![over.card(table)] })
 }
 
 /// The smallest 2^k + 1 values with which no angle is off by more than `relative_error`.
@@ -32,7 +32,7 @@ pub fn tabphase(table: &PhaseTable, count: usize) -> Result<PeerFile<String>, Ta
 /// # Errors
 /// [`TablesError::Domain`] for an error that 2²⁰ + 1 values do not reach.
 pub fn values_for(table: &PhaseTable, relative_error: f64) -> Result<usize, TablesError> {
-    let error = |count: usize| OverCosine::equidistant(table, count).reconstruction(table).largest_error;
+    let error = |count: usize| OverCosine::equidistant(table, count).card(table).largest_error;
     Range::above(0.0).check("relative error of tabphase", relative_error)?;
     let counts = (1..=20).map(|k| (1_usize << k) + 1);
     let mut reached = f64::INFINITY;
@@ -50,7 +50,7 @@ pub fn values_for(table: &PhaseTable, relative_error: f64) -> Result<usize, Tabl
 pub fn tabphase_irregular(table: &PhaseTable) -> PeerFile<String> {
     let over = OverCosine::irregular(table);
     let content = plugin("tabphase_irregular", &[("nodes", &over.mu), ("values", &over.p)]);
-    PeerFile { content, quality: vec![over.reconstruction(table)] }
+    PeerFile { content, values: over.mu.len(), cards: vec![over.card(table)] }
 }
 
 fn plugin(kind: &str, lists: &[(&str, &[f64])]) -> String {

@@ -12,17 +12,22 @@ pub mod disort;
 pub mod eradiate;
 pub mod mcx;
 pub mod mitsuba;
-mod reconstruction;
+mod program;
 mod tents;
 mod text;
+mod worth;
 
-pub use reconstruction::Reconstruction;
+pub use program::{NamedFile, Program};
 
-/// A file's content, and what its reader reconstructs from it.
+use crate::card::Card;
+
+/// A file's content, and what its reader's own look-up of it is worth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeerFile<T> {
     /// Text, bytes or texels.
     pub content: T,
+    /// Values of each phase function; of the longest if they differ.
+    pub values: usize,
     /// One for each phase function in it.
-    pub quality: Vec<Reconstruction>,
+    pub cards: Vec<Card>,
 }

@@ -13,7 +13,7 @@ use stratiform_optics::phase::PhaseTable;
 const WIDEST: f64 = 0.05;
 
 /// Gauss–Legendre on \[-1, 1\], three points.
-pub(super) const GAUSS: [(f64, f64); 3] =
+const GAUSS: [(f64, f64); 3] =
     [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
 
 /// The values at 1 - μ = 2j/(count - 1), j = 0 … count - 1 from forward to back; none is negative.

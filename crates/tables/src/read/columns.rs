@@ -18,6 +18,14 @@ impl Columns {
         names.join(" and ")
     }
 
+    /// The angle's name, or all that is known of it: the line before the rows.
+    pub(super) fn angle_name<'a>(&self, sheet: &'a Sheet) -> Option<&'a str> {
+        match &sheet.names {
+            Some(names) => Some(&names[self.angle]),
+            None => sheet.header.as_deref(),
+        }
+    }
+
     /// Columns that are not read.
     pub(super) fn left_out(&self, sheet: &Sheet) -> Vec<String> {
         let read = |i: &usize| *i == self.angle || self.value.contains(i) || self.wavelength == Some(*i);
@@ -78,7 +86,7 @@ fn value_of(sheet: &Sheet, lower: &[String], rest: &[usize]) -> Result<Vec<usize
         (None, [first, ..], None) => Ok(vec![*first]),
         (None, several, Some(names)) => {
             let names: Vec<&str> = several.iter().map(|i| names[*i].as_str()).collect();
-            Err(Fault::whole(format!("which of the columns {} is meant must be said", names.join(", "))))
+            Err(Fault::whole(format!("several columns ({}): one of them must be named", names.join(", "))))
         }
     }
 }

@@ -11,6 +11,8 @@ pub enum Layout {
     Columns,
     /// MiePlot's text.
     MiePlot,
+    /// Legendre coefficients of SHDOM's make_mie_table or libRadtran's mie.
+    Legendre,
 }
 
 /// Lines of text before the first row of numbers that still count as a header.
@@ -59,7 +61,14 @@ pub(super) fn sheet(text: &str) -> Result<Sheet, Fault> {
         return Err(Fault::whole(format!("{} rows of numbers are no phase table", rows.len())));
     }
     let header = header.last().map(|line| (*line).to_owned());
-    let names = header.as_deref().and_then(|line| names(line, rows[0].cells.len()));
+    let names = header.as_deref().and_then(|line| match layout {
+        Layout::MiePlot => mieplot_names(line, rows[0].cells.len()),
+        _ => names(line, rows[0].cells.len()),
+    });
+    if layout == Layout::MiePlot && names.is_none() {
+        let (line, count) = (rows[0].line, rows[0].cells.len());
+        return Err(Fault::at(line, format!("{count} columns are not those that MiePlot's header names")));
+    }
     Ok(Sheet { layout, header, names, rows })
 }
 
@@ -108,6 +117,16 @@ fn names(header: &str, count: usize) -> Option<Vec<String>> {
         trimmed.map(str::to_owned).collect::<Vec<_>>()
     });
     filled.into_iter().find(|parts| parts.len() == count)
+}
+
+/// What the columns of MiePlot hold, in the order in which the header says so.
+fn mieplot_names(header: &str, count: usize) -> Option<Vec<String>> {
+    const WORDS: [&str; 5] = ["angle", "wavelength", "perpendicular", "parallel", "unpolari"];
+    let lower = header.to_lowercase();
+    let mut found: Vec<(usize, &str)> =
+        WORDS.iter().filter_map(|word| Some((lower.find(word)?, *word))).collect();
+    found.sort_unstable();
+    (found.len() == count).then(|| found.into_iter().map(|(_, word)| word.to_owned()).collect())
 }
 
 fn shortened(field: &str) -> String {

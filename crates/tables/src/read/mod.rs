@@ -3,7 +3,8 @@
 //! Layouts: columns separated by commas, semicolons or white space, with or without a header, comments from `#`, `!`, `%`
 //! or `//` on (libRadtran, SHDOM's plotscattab, spreadsheets); and MiePlot's text, free lines up to one that begins
 //! with `Angle`, then angle, wavelength, perpendicular and parallel intensity up to a line of asterisks (columns as in the
-//! importer MiePlotImporter for Unreal Engine; unpolarised is the mean of both).
+//! importer MiePlotImporter for Unreal Engine; unpolarised is the mean of both); and Legendre coefficients as SHDOM's
+//! make_mie_table and libRadtran's mie list them, which are summed.
 //!
 //! The angle may be in degrees, radians or cosines; the range tells which, a header may contradict. Nothing is repaired
 //! on the way in: [`RawTable`] is the file, [`Understanding`] what is unusual about it, [`RawTable::table`] refuses what
@@ -14,6 +15,7 @@
 
 mod columns;
 mod layout;
+mod legendre;
 mod raw;
 mod understand;
 mod unit;
@@ -24,8 +26,10 @@ pub use understand::{Normalisation, Understanding};
 pub use unit::AngleUnit;
 
 use crate::TablesError;
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
-use stratiform_artifact::{ArtifactError, read_text};
+use stratiform_artifact::ArtifactError;
 
 /// Largest file that is read, bytes: 2e6 rows of 30 characters.
 const LARGEST: u64 = 64 << 20;
@@ -37,6 +41,8 @@ pub struct Choice {
     pub column: Option<String>,
     /// Wavelength of the rows to take, in the unit of the file, where a column holds it.
     pub wavelength: Option<f64>,
+    /// Effective radius of the Legendre coefficients to take, as it stands in the file.
+    pub effective_radius: Option<f64>,
 }
 
 /// Reads a phase table.
@@ -44,13 +50,28 @@ pub struct Choice {
 /// # Errors
 /// [`ArtifactError`] naming file and line.
 pub fn read(path: &Path, choice: &Choice) -> Result<RawTable, TablesError> {
-    let size = std::fs::metadata(path).map_or(0, |file| file.len());
-    if size > LARGEST {
-        let message = format!("{size} bytes are more than a phase table has ({LARGEST})");
-        return Err(ArtifactError::format(path, None, message).into());
+    let mut bytes = Vec::new();
+    let opened = File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
+    opened.map_err(|source| ArtifactError::Io { action: "read", path: path.to_owned(), source })?;
+    let table = text_of(bytes).and_then(|text| parse(&text, choice));
+    table.map_err(|fault| ArtifactError::format(path, fault.line, fault.message).into())
+}
+
+/// UTF-8, or Latin-1, in which MiePlot writes its µ: every byte is a character, and none of them a control.
+fn text_of(bytes: Vec<u8>) -> Result<String, Fault> {
+    if bytes.len() as u64 > LARGEST {
+        return Err(Fault::whole(format!("more than {LARGEST} bytes are no phase table")));
     }
-    let text = read_text(path)?;
-    parse(&text, choice).map_err(|fault| ArtifactError::format(path, fault.line, fault.message).into())
+    let control = |byte: &u8| byte.is_ascii_control() && !byte.is_ascii_whitespace();
+    if let Some(at) = bytes.iter().position(control) {
+        let line = bytes[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
+        return Err(Fault::at(line as u64, "not a text file"));
+    }
+    if bytes.trim_ascii().is_empty() {
+        return Err(Fault::whole("the file is empty"));
+    }
+    Ok(String::from_utf8(bytes)
+        .unwrap_or_else(|error| error.as_bytes().iter().map(|byte| char::from(*byte)).collect()))
 }
 
 /// What is wrong, and on which line, counted from 1.
@@ -70,6 +91,9 @@ impl Fault {
 }
 
 fn parse(text: &str, choice: &Choice) -> Result<RawTable, Fault> {
+    if legendre::is_listing(text) {
+        return legendre::assemble(text, choice);
+    }
     let sheet = layout::sheet(text)?;
     let columns = columns::choose(&sheet, choice)?;
     raw::assemble(&sheet, &columns, choice)

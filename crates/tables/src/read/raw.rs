@@ -63,7 +63,7 @@ pub(super) fn assemble(sheet: &Sheet, columns: &Columns, choice: &Choice) -> Res
     Ok(RawTable {
         layout: sheet.layout,
         unit,
-        stated_unit: sheet.header.as_deref().and_then(AngleUnit::stated),
+        stated_unit: columns.angle_name(sheet).and_then(AngleUnit::stated),
         value_name: columns.value_name(sheet),
         left_out: columns.left_out(sheet),
         theta_deg,

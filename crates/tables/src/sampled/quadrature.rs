@@ -22,8 +22,13 @@ pub(crate) struct Quadrature {
 impl Quadrature {
     /// The rule for `table` and its sampling with `texels` values.
     pub(crate) fn new(table: &PhaseTable, texels: usize) -> Self {
+        Self::between(table, (0..texels).map(|i| theta_deg(i, texels)))
+    }
+
+    /// The rule for `table` and something that is smooth between `nodes`, degrees.
+    pub(crate) fn between(table: &PhaseTable, nodes: impl Iterator<Item = f64>) -> Self {
         let mut borders = table.theta_deg().to_vec();
-        borders.extend((0..texels).map(|i| theta_deg(i, texels)));
+        borders.extend(nodes);
         borders.sort_by(f64::total_cmp);
         borders.dedup();
         let points = borders.windows(2).flat_map(|cell| {

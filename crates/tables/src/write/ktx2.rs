@@ -52,6 +52,15 @@ pub fn phase_ktx2(set: &SampledSet, precision: Precision) -> Result<Vec<u8>, Tab
     Texture::new(set.texels, values, srgb, texts).bytes(precision)
 }
 
+/// A line of `width` texels of linear sRGB and alpha as KTX2, RGBA32F, that says what it is `about`.
+pub(crate) fn texels_ktx2(width: usize, values: Vec<f64>, about: &str) -> Result<Vec<u8>, TablesError> {
+    let texts = [
+        line(&about.to_owned())?,
+        line(&vec![("full".to_owned(), ["R", "G", "B", "1"].map(str::to_owned))])?,
+    ];
+    Texture::new(width, values, true, texts).bytes(Precision::F32)
+}
+
 impl Texture {
     /// With the keys `stratiform` and `stratiformRows` beside the format's own.
     pub(super) fn new(width: usize, values: Vec<f64>, srgb: bool, [metadata, rows]: [String; 2]) -> Self {

@@ -30,6 +30,7 @@ pub use csv::phase_csv;
 pub use exr::phase_exr;
 pub use json::{PhaseDocument, phase_json};
 pub use ktx2::phase_ktx2;
+pub(crate) use ktx2::texels_ktx2;
 pub use metadata::{AngleMap, Metadata, RowMetadata};
 pub use npz::phase_npz;
 pub use parameters::{
