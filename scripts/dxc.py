@@ -5,6 +5,7 @@ The options are those of the command dxc, for example -T cs_6_0 -E main -spirv. 
 the source is refused. The library (libdxcompiler, Linux) speaks COM: an object is a pointer to a table of functions.
 """
 import ctypes as c
+import os
 import sys
 import uuid
 from pathlib import Path
@@ -46,10 +47,12 @@ def main(library, source, output, *options):
     call(result, 0, c.pointer(status))
     call(result, 2, c.pointer(part))
     sys.stderr.write(blob(part).rstrip(b"\0").decode())
-    if status.value:
-        sys.exit(1)
-    call(result, 1, c.pointer(part))
-    Path(output).write_bytes(blob(part))
+    if not status.value:
+        call(result, 1, c.pointer(part))
+        Path(output).write_bytes(blob(part))
+    sys.stderr.flush()
+    # Without the library's finalisers, which may wait for themselves for ever.
+    os._exit(1 if status.value else 0)
 
 
 if __name__ == "__main__":

@@ -50,7 +50,7 @@ fn costs(emitted: &Emitted) {
         measure(
             "gcc",
             &[&["-std=c99"], options].concat(),
-            ("cost.c", include_str!("../src/languages/drivers/cost.c")),
+            ("cost.c", include_str!("../src/languages/drivers/fluxes/cost.c")),
             ("stratiform.h", &c),
         )
     };
@@ -58,7 +58,7 @@ fn costs(emitted: &Emitted) {
         measure(
             "rustc",
             &[&["--edition", "2024", "-C", "opt-level=3"], options].concat(),
-            ("cost.rs", include_str!("../src/languages/drivers/cost.rs")),
+            ("cost.rs", include_str!("../src/languages/drivers/fluxes/cost.rs")),
             ("stratiform.rs", &rust),
         )
     };

@@ -2,6 +2,7 @@
 
 mod check;
 mod export;
+mod phase_check;
 mod shell;
 
 use crate::numbers::{count, finite, pair, seed};
@@ -11,6 +12,7 @@ use std::path::PathBuf;
 pub use crate::solve_args::SolveArgs;
 pub use check::CheckArgs;
 pub use export::{ExportArgs, Format};
+pub use phase_check::{Convention, PhaseCheckArgs};
 pub use shell::{CompletionsArgs, ManArgs};
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
@@ -57,6 +59,8 @@ pub enum Command {
     Export(ExportArgs),
     /// Hold the accepted table, the tracer, or another implementation's values against the truth; for CI.
     Check(CheckArgs),
+    /// Say what is wrong with somebody's phase table or constants.
+    PhaseCheck(PhaseCheckArgs),
     /// Every stage, then the report: from droplets to shader tables.
     Reproduce(StageArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.

@@ -39,6 +39,7 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
         Command::Codegen(args) => commands::codegen::run(args, talk),
         Command::Export(args) => commands::export::run(args, talk),
         Command::Check(args) => commands::check::run(args, talk),
+        Command::PhaseCheck(args) => commands::phase_check::run(args, talk),
         Command::Reproduce(args) => commands::stages::reproduce(args, talk),
         Command::Report(args) => commands::report::run(args, talk),
         Command::Completions(args) => commands::shell::completions(args),

@@ -2,11 +2,13 @@
 
 use crate::TablesError;
 use crate::card::Card;
+use crate::colour::srgb_phase;
 use crate::sampled::Sampled;
 use crate::write::Precision;
 use serde::{Deserialize, Serialize};
 use stratiform_artifact::Provenance;
-use stratiform_optics::phase::PhaseTable;
+use stratiform_optics::phase::{Norm, PhaseTable};
+use stratiform_quantities::Range;
 
 /// Which phase function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -145,6 +147,36 @@ impl PhaseSet {
         Ok(Self { channels, rows, about })
     }
 
+    /// The same functions with the channels R, G, B of linear sRGB.
+    ///
+    /// # Errors
+    /// As [`srgb_phase`]; [`TablesError::Domain`] naming Θ where a colour is outside sRGB's gamut.
+    pub fn linear_srgb(&self) -> Result<Self, TablesError> {
+        let rows = self.rows.iter().map(|row| {
+            let tables = srgb_tables(self.spectrum(row))?;
+            Ok(Row { function: row.function, tables })
+        });
+        let rows = rows.collect::<Result<_, TablesError>>()?;
+        Ok(Self {
+            channels: ['R', 'G', 'B'].map(Channel::LinearSrgb).to_vec(),
+            rows,
+            about: self.about.clone(),
+        })
+    }
+
+    /// A row's tables with their wavelengths, ascending.
+    fn spectrum(&self, row: &Row) -> Vec<(f64, PhaseTable)> {
+        let wavelength = |channel: &Channel| match channel {
+            Channel::WavelengthUm(um) => Some(*um),
+            Channel::LinearSrgb(_) => None,
+        };
+        let pairs = self.channels.iter().zip(&row.tables);
+        let mut spectrum: Vec<_> =
+            pairs.filter_map(|(channel, table)| Some((wavelength(channel)?, table.clone()))).collect();
+        spectrum.sort_by(|a, b| a.0.total_cmp(&b.0));
+        spectrum
+    }
+
     /// Every table with `texels` values.
     ///
     /// # Errors
@@ -177,6 +209,18 @@ impl PhaseSet {
             };
         tables.map(card).collect()
     }
+}
+
+/// R, G and B of a spectrum.
+fn srgb_tables(spectrum: Vec<(f64, PhaseTable)>) -> Result<Vec<PhaseTable>, TablesError> {
+    let colour = srgb_phase(&spectrum)?;
+    let (least, theta_deg) = colour.smallest_channel();
+    Range::at_least(0.0).check(&format!("channel of linear sRGB at theta_deg = {theta_deg}"), least)?;
+    let channel = |c: usize| {
+        let p = colour.rgb.iter().map(|rgb| rgb[c]).collect();
+        Ok(PhaseTable::new(colour.theta_deg.clone(), p, Norm::Strict)?)
+    };
+    (0..3).map(channel).collect()
 }
 
 /// Phase functions as files hold them.

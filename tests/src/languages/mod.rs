@@ -1,18 +1,20 @@
 //! The emitted text in every language, through that language's own compilers, and executed where it can be.
 //!
-//! Each language has a driver in `drivers/`, which is what a user would write: it evaluates all vectors of
-//! `self_test.json` with the emitted functions. Its output is one list of f32: the count of wrong values that the
-//! embedded self-test found, then nine fluxes per vector. [`comparator`] holds them against the f64 model.
+//! Each [`library`] has in each language a driver in `drivers/`, which is what a user would write: it evaluates the
+//! emitted functions at many inputs. Its output is one list of f32: the count of wrong values that the embedded
+//! self-test found, then the functions' values. [`comparator`] holds fluxes against the f64 model.
 //!
 //! C, C++ and Rust are compiled and run. Metal's language is C++ with a library: g++ with a stand-in for that library
 //! (on GLM) checks the types and runs it. GLSL 450 and HLSL become SPIR-V and run on the graphics device; GLSL 330 and
 //! 300 es are compiled only.
 
 pub mod comparator;
+pub mod library;
 pub mod native;
 pub mod shaders;
 pub mod signatures;
 pub mod tools;
+pub mod ways;
 
 use std::fs;
 use std::path::PathBuf;
@@ -81,32 +83,4 @@ impl Emitted {
         let pairs = self.test.vectors.iter().flat_map(|vector| pair(vector.mu_l, vector.tau));
         pairs.flat_map(f32::to_le_bytes).collect()
     }
-}
-
-/// What a driver wrote.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Output {
-    /// Wrong values that the embedded self-test counted.
-    pub wrong: u32,
-    /// Nine fluxes per vector.
-    pub fluxes: Vec<f32>,
-}
-
-impl Output {
-    /// From a driver's bytes: the count, then the fluxes.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a count below 2^24 that a driver wrote as f32"
-    )]
-    pub fn read(bytes: &[u8]) -> Self {
-        let values = floats(bytes);
-        let wrong = values.first().map_or(u32::MAX, |count| *count as u32);
-        Self { wrong, fluxes: values.get(1..).unwrap_or_default().to_vec() }
-    }
-}
-
-/// Little-endian f32.
-pub fn floats(bytes: &[u8]) -> Vec<f32> {
-    bytes.as_chunks().0.iter().map(|four| f32::from_le_bytes(*four)).collect()
 }

@@ -1,14 +1,9 @@
 //! Shader languages: to SPIR-V by their own compilers, which is validated, and executed on the device.
 
+use super::library::{Library, Output, Run, floats};
 use super::tools::{Scratch, ToolError, words};
-use super::{Emitted, Output};
 use std::path::PathBuf;
 use stratiform_gpu::{Gpu, GpuError};
-
-const DRIVER_GLSL: &str = include_str!("drivers/driver.glsl");
-const DRIVER_HLSL: &str = include_str!("drivers/driver.hlsl");
-const DRIVER_WGSL: &str = include_str!("drivers/driver.wgsl");
-const FRAGMENT_GLSL: &str = include_str!("drivers/fragment.glsl");
 
 /// Where the drivers start.
 const ENTRY: &str = "main";
@@ -34,9 +29,9 @@ pub fn validate_spirv(bytes: &[u8]) -> Result<Vec<u32>, ToolError> {
 ///
 /// # Errors
 /// [`ToolError`] if a tool is missing or refuses.
-pub fn glsl_compute(text: &str) -> Result<Vec<u32>, ToolError> {
+pub fn glsl_compute(library: &Library, text: &str) -> Result<Vec<u32>, ToolError> {
     let scratch = Scratch::new()?;
-    scratch.write("driver.comp", format!("#version 450\n{text}\n{DRIVER_GLSL}"))?;
+    scratch.write("driver.comp", format!("#version 450\n{text}\n{}", library.glsl))?;
     scratch
         .run("glslangValidator", &["-V", "--target-env", "vulkan1.1", "driver.comp", "-o", "driver.spv"])?;
     validated(&scratch, "driver.spv")
@@ -46,10 +41,10 @@ pub fn glsl_compute(text: &str) -> Result<Vec<u32>, ToolError> {
 ///
 /// # Errors
 /// [`ToolError`] if the compiler is missing or refuses.
-pub fn glsl_fragment(version: &str, text: &str) -> Result<(), ToolError> {
+pub fn glsl_fragment(version: &str, library: &Library, text: &str) -> Result<(), ToolError> {
     let scratch = Scratch::new()?;
-    let head = format!("#version {version}\nprecision highp float;\nprecision highp int;\n");
-    scratch.write("driver.frag", format!("{head}{text}\n{FRAGMENT_GLSL}"))?;
+    let head = format!("#version {version}\n");
+    scratch.write("driver.frag", format!("{head}{text}\n{}", library.fragment))?;
     scratch.run("glslangValidator", &["driver.frag"]).map(drop)
 }
 
@@ -57,9 +52,9 @@ pub fn glsl_fragment(version: &str, text: &str) -> Result<(), ToolError> {
 ///
 /// # Errors
 /// [`ToolError`] if a tool is missing or refuses.
-pub fn hlsl_by_glslang(text: &str) -> Result<Vec<u32>, ToolError> {
+pub fn hlsl_by_glslang(library: &Library, text: &str) -> Result<Vec<u32>, ToolError> {
     let scratch = Scratch::new()?;
-    scratch.write("driver.hlsl", format!("{text}\n{DRIVER_HLSL}"))?;
+    scratch.write("driver.hlsl", format!("{text}\n{}", library.hlsl))?;
     let arguments = ["-D", "-V", "--target-env", "vulkan1.1", "-S", "comp", "-e", ENTRY];
     scratch.run("glslangValidator", &[&arguments[..], &["driver.hlsl", "-o", "driver.spv"]].concat())?;
     validated(&scratch, "driver.spv")
@@ -69,10 +64,10 @@ pub fn hlsl_by_glslang(text: &str) -> Result<Vec<u32>, ToolError> {
 ///
 /// # Errors
 /// [`ToolError`] if a tool is missing or refuses.
-pub fn hlsl_by_dxc(text: &str) -> Result<Vec<u32>, ToolError> {
+pub fn hlsl_by_dxc(library: &Library, text: &str) -> Result<Vec<u32>, ToolError> {
     let scratch = Scratch::new()?;
     scratch.write("library.hlsl", text)?;
-    scratch.write("driver.hlsl", format!("{text}\n{DRIVER_HLSL}"))?;
+    scratch.write("driver.hlsl", format!("{text}\n{}", library.hlsl))?;
     dxc(&scratch, "library.hlsl", &["-T", "lib_6_3"])?;
     // The driver's bindings are for Vulkan: DXIL has no use for them and warns.
     let kernel = ["-T", "cs_6_0", "-E", ENTRY, "-Wno-ignored-attributes"];
@@ -95,12 +90,14 @@ fn dxc(scratch: &Scratch, source: &str, options: &[&str]) -> Result<(), ToolErro
     scratch.run("python3", &arguments).map(drop)
 }
 
-/// Output bytes and workgroups of the drivers.
-fn size(emitted: &Emitted) -> (usize, [u32; 3]) {
-    let vectors = emitted.test.vectors.len();
-    #[expect(clippy::cast_possible_truncation, reason = "hundreds of vectors")]
-    let groups = vectors.div_ceil(64) as u32;
-    (4 + 36 * vectors, [groups, 1, 1])
+/// Workgroups of 64 threads.
+#[expect(clippy::cast_possible_truncation, reason = "hundreds of inputs")]
+fn groups(run: &Run) -> [u32; 3] {
+    [run.count().div_ceil(64) as u32, 1, 1]
+}
+
+fn bindings<'a>(run: &'a Run) -> Vec<&'a [u8]> {
+    run.table.into_iter().chain([run.input]).collect()
 }
 
 /// Runs a driver's validated module on the device.
@@ -108,31 +105,30 @@ fn size(emitted: &Emitted) -> (usize, [u32; 3]) {
 /// # Errors
 /// [`GpuError`] if the device refuses.
 #[allow(unsafe_code, reason = "the module is validated")]
-pub fn run(gpu: &Gpu, module: &[u32], emitted: &Emitted) -> Result<Output, GpuError> {
-    let (bytes, groups) = size(emitted);
+pub fn run(gpu: &Gpu, run: &Run, module: &[u32]) -> Result<Output, GpuError> {
     // SAFETY: spirv-val has seen the module; the driver stays within its buffers.
-    let output = unsafe { gpu.run_spirv(module, ENTRY, &[&emitted.input()], bytes, groups) }?;
-    Ok(Output::read(&output))
+    let output = unsafe { gpu.run_spirv(module, ENTRY, &bindings(run), 4 * run.written(), groups(run)) };
+    Ok(Output::read(&output?))
 }
 
 /// Runs WGSL `text` with its driver on the device.
 ///
 /// # Errors
 /// [`GpuError`] if the device refuses.
-pub fn run_wgsl(gpu: &Gpu, text: &str, emitted: &Emitted) -> Result<Output, GpuError> {
-    let (bytes, groups) = size(emitted);
-    let module = format!("{text}\n{DRIVER_WGSL}");
-    Ok(Output::read(&gpu.run(&module, ENTRY, &[&emitted.input()], bytes, groups)?))
+pub fn run_wgsl(gpu: &Gpu, run: &Run, text: &str) -> Result<Output, GpuError> {
+    let module = format!("{text}\n{}", run.library.wgsl);
+    let output = gpu.run(&module, ENTRY, &bindings(run), 4 * run.written(), groups(run))?;
+    Ok(Output::read(&output))
 }
 
-/// Runs the emitted kernel on the device: nine fluxes per vector.
+/// Runs the emitted kernel, which has no count before its values, on the device.
 ///
 /// # Errors
 /// [`GpuError`] if the device refuses.
 #[allow(unsafe_code, reason = "the module is validated")]
-pub fn run_kernel(gpu: &Gpu, module: &[u32], entry: &str, emitted: &Emitted) -> Result<Vec<f32>, GpuError> {
-    let (bytes, groups) = size(emitted);
+pub fn run_kernel(gpu: &Gpu, run: &Run, module: &[u32], entry: &str) -> Result<Vec<f32>, GpuError> {
+    let bytes = 4 * (run.written() - 1);
     // SAFETY: spirv-val has seen the module; the kernel stays within its buffers.
-    let output = unsafe { gpu.run_spirv(module, entry, &[&emitted.input()], bytes - 4, groups) }?;
-    Ok(super::floats(&output))
+    let output = unsafe { gpu.run_spirv(module, entry, &bindings(run), bytes, groups(run)) };
+    Ok(floats(&output?))
 }

@@ -61,6 +61,9 @@ pub struct ExportArgs {
     /// Values of each phase function, 64 to 1024.
     #[arg(long, value_name = "N", default_value_t = 256)]
     pub texels: usize,
+    /// Write the phase functions as linear sRGB too (phase-srgb.*): three wavelengths or more in [0.36, 0.83] µm.
+    #[arg(long)]
+    pub srgb: bool,
     /// Print one JSON object instead of CSV.
     #[arg(long)]
     pub json: bool,

@@ -45,8 +45,8 @@ enum Worth {
 
 /// What the writers choose from.
 struct Source {
-    phase: PhaseSet,
-    sampled: SampledSet,
+    /// Name in files, tables, texels.
+    phase: Vec<(&'static str, PhaseSet, SampledSet)>,
     /// None before a table was accepted.
     parameters: Option<ParameterTexels>,
 }
@@ -81,9 +81,17 @@ fn source(args: &ExportArgs, talk: Talk) -> Result<Source, CliError> {
     let spinner = progress::spinner("optics", talk.quiet);
     let phase = phase_set(&config);
     spinner.finish_and_clear();
-    let phase = phase?;
-    let sampled = phase.sample(args.texels).map_err(pipeline::input_error)?;
-    Ok(Source { phase, sampled, parameters })
+    let phase = sampled(phase?, args).map_err(pipeline::input_error)?;
+    Ok(Source { phase, parameters })
+}
+
+fn sampled(
+    spectral: PhaseSet,
+    args: &ExportArgs,
+) -> Result<Vec<(&'static str, PhaseSet, SampledSet)>, TablesError> {
+    let colour = if args.srgb { Some(("phase-srgb", spectral.linear_srgb()?)) } else { None };
+    let sets = [("phase", spectral)].into_iter().chain(colour);
+    sets.map(|(name, set)| set.sample(args.texels).map(|sampled| (name, set, sampled))).collect()
 }
 
 /// The files of one format.
@@ -127,12 +135,14 @@ impl Source {
         phase: impl Fn(&SampledSet) -> Bytes,
         parameters: impl Fn(&ParameterTexels) -> Bytes,
     ) -> Result<Vec<File>, TablesError> {
-        let cards = self.phase.cards(&self.sampled, precision);
-        let mut files = vec![File {
-            name: format!("phase.{ending}"),
-            bytes: phase(&self.sampled)?,
-            worth: Worth::Cards(cards),
-        }];
+        let mut files = Vec::new();
+        for (name, set, sampled) in &self.phase {
+            files.push(File {
+                name: format!("{name}.{ending}"),
+                bytes: phase(sampled)?,
+                worth: Worth::Cards(set.cards(sampled, precision)),
+            });
+        }
         if let Some(table) = &self.parameters {
             let largest_error = rounding(table, precision);
             let worth = Worth::Rounding { precision, rows: table.rows.len(), largest_error };

@@ -6,6 +6,7 @@ pub mod export;
 pub mod mie;
 pub mod optics;
 pub mod order_rows;
+pub mod phase_check;
 pub mod radiance;
 pub mod report;
 pub mod shell;

@@ -5,10 +5,10 @@
 //! `stratiformRows` what each row's R, G, B and A are.
 
 use super::metadata::line;
+use super::precision::half;
 use super::{Metadata, Precision};
 use crate::TablesError;
 use crate::set::{Channel, SampledSet};
-use half::f16;
 
 const MAGIC: [u8; 12] = *b"\xABKTX 20\xBB\r\n\x1A\n";
 /// Magic, header, and the index of one level.
@@ -33,7 +33,7 @@ pub(super) struct Texture {
 ///
 /// # Errors
 /// [`TablesError::Domain`] for values that the format cannot hold: f16 ends at 65504, which the peak of droplets
-/// beyond some 25 µm exceeds; [`TablesError::Container`] for f64, which is no texture format.
+/// beyond some 25 µm at 0.45 µm exceeds; [`TablesError::Container`] for f64, which is no texture format.
 pub fn phase_ktx2(set: &SampledSet, precision: Precision) -> Result<Vec<u8>, TablesError> {
     precision.check_set(set)?;
     let groups: Vec<usize> = (0..set.channels.len()).step_by(4).collect();
@@ -111,7 +111,7 @@ impl Texture {
 
 fn component(value: f64, size: u8) -> Vec<u8> {
     match size {
-        2 => f16::from_f64(value).to_le_bytes().to_vec(),
+        2 => half(value).to_le_bytes().to_vec(),
         _ => (value as f32).to_le_bytes().to_vec(),
     }
 }

@@ -46,6 +46,8 @@ pub struct Metadata {
     pub sampling: String,
     /// Values of each function and channel.
     pub texels: usize,
+    /// What channels are.
+    pub channel_meaning: String,
     /// The channels, in order.
     pub channels: Vec<Channel>,
     /// Their names.
@@ -80,6 +82,7 @@ impl Metadata {
             },
             sampling: "least squares over the sphere; averages beside a jump".to_owned(),
             texels: set.texels,
+            channel_meaning: channel_meaning(&set.channels).to_owned(),
             channels: set.channels.clone(),
             channel_names: set.channels.iter().map(Channel::name).collect(),
             rows: rows.collect(),
@@ -90,6 +93,15 @@ impl Metadata {
     /// One line of JSON.
     pub(super) fn line(&self) -> Result<String, crate::TablesError> {
         line(self)
+    }
+}
+
+fn channel_meaning(channels: &[Channel]) -> &'static str {
+    if channels.iter().all(|channel| matches!(channel, Channel::LinearSrgb(_))) {
+        "linear sRGB (IEC 61966-2-1 primaries, CIE 1931 observer) of p in light of D65; white balance: a p that does not depend on \
+         wavelength is R = G = B; p linear between the wavelengths of `medium`, constant beyond them"
+    } else {
+        "p at one wavelength each"
     }
 }
 

@@ -5,6 +5,17 @@ use half::f16;
 use serde::{Deserialize, Serialize};
 use stratiform_quantities::{DomainError, Range};
 
+/// The f16 nearest to `value`, ties to even. The crate's own conversion rounds to f32 first where the processor has the
+/// instruction, so that its bits depend on the machine.
+pub(super) fn half(value: f64) -> f16 {
+    const SMALLEST_NORMAL: i32 = -14;
+    if value == 0.0 || !value.is_finite() {
+        return f16::from_f64(value);
+    }
+    let step = libm::ldexp(1.0, libm::ilogb(value).max(SMALLEST_NORMAL) - 10);
+    f16::from_f64(libm::rint(value / step) * step)
+}
+
 /// IEEE 754 binary formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -30,7 +41,7 @@ impl Precision {
     /// `value` as it reads back.
     pub fn stored(self, value: f64) -> f64 {
         match self {
-            Self::F16 => f16::from_f64(value).to_f64(),
+            Self::F16 => half(value).to_f64(),
             Self::F32 => f64::from(value as f32),
             Self::F64 => value,
         }
@@ -68,5 +79,24 @@ impl Precision {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every finite f16 is its own nearest; between neighbours the middle goes to the even one, and a hair beside the
+    /// middle (lost if rounded to f32 first) to the nearer one.
+    #[test]
+    fn halves_are_rounded_once() {
+        for bits in 0..0x7BFF_u16 {
+            let (below, above) = (f16::from_bits(bits), f16::from_bits(bits + 1));
+            assert_eq!(half(below.to_f64()).to_bits(), bits);
+            let middle = 0.5 * (below.to_f64() + above.to_f64());
+            assert_eq!(half(middle).to_bits(), bits + (bits & 1));
+            assert_eq!(half(middle * (1.0 + 1e-12)).to_bits(), bits + 1);
+            assert_eq!(half(middle * (1.0 - 1e-12)).to_bits(), bits);
+        }
     }
 }

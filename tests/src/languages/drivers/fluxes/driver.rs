@@ -1,5 +1,6 @@
 //! Pairs (mu_l, tau) from stdin, mu_l = -1 for diffuse light; to stdout the self-test's count, then nine fluxes each.
 
+#[path = "library.rs"]
 mod stratiform;
 
 use std::io::{Read, Write};

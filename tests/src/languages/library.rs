@@ -1,0 +1,91 @@
+//! The two emitted libraries, each with the drivers that call it.
+
+/// One emitted library: what its files are called, and a driver in each language.
+///
+/// A driver reads its input as f32 and writes the embedded self-test's count of wrong values, then its values.
+pub struct Library {
+    /// Files are `name.ending`.
+    pub name: &'static str,
+    pub(super) c: &'static str,
+    pub(super) rust: &'static str,
+    pub(super) glsl: &'static str,
+    pub(super) fragment: &'static str,
+    pub(super) hlsl: &'static str,
+    pub(super) wgsl: &'static str,
+    /// f32 read and written per input.
+    pub(super) sizes: [usize; 2],
+}
+
+/// Fluxes: (μ_l, τ), μ_l = -1 for diffuse light, to nine fluxes.
+pub static FLUXES: Library = Library {
+    name: "stratiform",
+    c: include_str!("drivers/fluxes/driver.c"),
+    rust: include_str!("drivers/fluxes/driver.rs"),
+    glsl: include_str!("drivers/fluxes/driver.glsl"),
+    fragment: include_str!("drivers/fluxes/fragment.glsl"),
+    hlsl: include_str!("drivers/fluxes/driver.hlsl"),
+    wgsl: include_str!("drivers/fluxes/driver.wgsl"),
+    sizes: [2, 9],
+};
+
+/// Phase functions: v = 1 - cosΘ to P, P_S, P_S convolved with itself, and the angle by way of the table's coordinate.
+pub static PHASE: Library = Library {
+    name: "stratiform_phase",
+    c: include_str!("drivers/phase/driver.c"),
+    rust: include_str!("drivers/phase/driver.rs"),
+    glsl: include_str!("drivers/phase/driver.glsl"),
+    fragment: include_str!("drivers/phase/fragment.glsl"),
+    hlsl: include_str!("drivers/phase/driver.hlsl"),
+    wgsl: include_str!("drivers/phase/driver.wgsl"),
+    sizes: [1, 4],
+};
+
+/// A library and what its driver is run on.
+pub struct Run<'a> {
+    /// Which.
+    pub library: &'a Library,
+    /// The table that a library takes from its host; C and Rust carry theirs.
+    pub table: Option<&'a [u8]>,
+    /// The driver's input.
+    pub input: &'a [u8],
+}
+
+impl Run<'_> {
+    /// Inputs: threads of a shader.
+    pub(super) fn count(&self) -> usize {
+        self.input.len() / 4 / self.library.sizes[0]
+    }
+
+    /// f32 that the driver writes.
+    pub(super) fn written(&self) -> usize {
+        1 + self.count() * self.library.sizes[1]
+    }
+}
+
+/// What a driver wrote.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output {
+    /// Wrong values that the embedded self-test counted.
+    pub wrong: u32,
+    /// What the library's functions gave, input by input.
+    pub values: Vec<f32>,
+}
+
+impl Output {
+    /// From a driver's bytes: the count, then the values.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a count below 2^24 that a driver wrote as f32"
+    )]
+    pub fn read(bytes: &[u8]) -> Self {
+        let values = floats(bytes);
+        let wrong = values.first().map_or(u32::MAX, |count| *count as u32);
+        Self { wrong, values: values.get(1..).unwrap_or_default().to_vec() }
+    }
+}
+
+/// Little-endian f32.
+pub fn floats(bytes: &[u8]) -> Vec<f32> {
+    bytes.as_chunks().0.iter().map(|four| f32::from_le_bytes(*four)).collect()
+}
