@@ -38,7 +38,9 @@ pub fn moments_for(table: &PhaseTable) -> usize {
         let chi = table.moments(count);
         let tail = |sign: f64| {
             let terms = (count - count / 8..count).step_by(2);
-            terms.fold(0.0, |sum, l| sum + (2 * l + 1) as f64 * chi[l] + sign * (2 * l + 3) as f64 * chi[l + 1])
+            terms.fold(0.0, |sum, l| {
+                sum + (2 * l + 1) as f64 * chi[l] + sign * (2 * l + 3) as f64 * chi[l + 1]
+            })
         };
         ends.iter().all(|(sign, p)| tail(*sign).abs() < 1e-3 * p)
     };
