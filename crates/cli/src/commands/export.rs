@@ -45,7 +45,9 @@ enum Worth {
 
 /// What the writers choose from.
 struct Source {
-    /// Name in files, tables, texels.
+    /// Per wavelength, as computed.
+    spectral: PhaseSet,
+    /// Name in files, tables, texels: per wavelength, and in linear sRGB where that is asked for.
     phase: Vec<(&'static str, PhaseSet, SampledSet)>,
     /// None before a table was accepted.
     parameters: Option<ParameterTexels>,
@@ -81,8 +83,9 @@ fn source(args: &ExportArgs, talk: Talk) -> Result<Source, CliError> {
     let spinner = progress::spinner("optics", talk.quiet);
     let phase = phase_set(&config);
     spinner.finish_and_clear();
-    let phase = sampled(phase?, args).map_err(pipeline::input_error)?;
-    Ok(Source { phase, parameters })
+    let spectral = phase?;
+    let phase = sampled(spectral.clone(), args).map_err(pipeline::input_error)?;
+    Ok(Source { spectral, phase, parameters })
 }
 
 fn sampled(
@@ -124,7 +127,7 @@ impl Source {
     fn peer(&self, program: Program) -> Result<Vec<File>, TablesError> {
         let file =
             |file: NamedFile| File { name: file.name, bytes: file.bytes, worth: Worth::Cards(file.cards) };
-        Ok(program.files(&self.phase)?.into_iter().map(file).collect())
+        Ok(program.files(&self.spectral)?.into_iter().map(file).collect())
     }
 
     /// The container of the phase functions, and that of the parameters if there are any.
