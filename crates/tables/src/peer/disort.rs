@@ -30,21 +30,26 @@ pub fn pmom(table: &PhaseTable, count: usize) -> Result<PeerFile<String>, Tables
     Ok(PeerFile { content, values: count, cards: vec![card(table, &chi)] })
 }
 
-/// A number of moments, a power of two from 128 to 8192, whose last eighth adds less than 1e-3 of P to the sum at 0° and
-/// at 180°; 8192 if that is not enough.
+/// A number of moments, a power of two from 128 to 8192, whose last eighth changes the sum at 0° and at 180° by less
+/// than 1e-3 of P; 8192 if that is not enough.
 pub fn moments_for(table: &PhaseTable) -> usize {
-    let ends = [table.at(0.0), table.at(std::f64::consts::PI)];
+    let ends = [(1.0, table.at(0.0)), (-1.0, table.at(std::f64::consts::PI))];
     let enough = |count: usize| {
-        let tail = table.moments(count).into_iter().enumerate().skip(count - count / 8);
-        let added = tail.fold(0.0, |sum, (l, chi)| sum + (2 * l + 1) as f64 * chi.abs());
-        ends.iter().all(|p| added < 1e-3 * p)
+        let chi = table.moments(count);
+        let tail = |sign: f64| {
+            let terms = (count - count / 8..count).step_by(2);
+            terms.fold(0.0, |sum, l| {
+                sum + (2 * l + 1) as f64 * chi[l] + sign * (2 * l + 3) as f64 * chi[l + 1]
+            })
+        };
+        ends.iter().all(|(sign, p)| tail(*sign).abs() < 1e-3 * p)
     };
     (7..13).map(|k| 1 << k).find(|count| enough(*count)).unwrap_or(1 << 13)
 }
 
 /// The sum rings everywhere: no angle is left out.
 fn card(table: &PhaseTable, chi: &[f64]) -> Card {
-    let steps = 2 * chi.len();
+    let steps = chi.len();
     let nodes = (0..=steps).map(|i| 180.0 * i as f64 / steps as f64);
     let quadrature = Quadrature::between(table, nodes);
     Card::of_look_up(table, &quadrature, |_| true, |theta_deg| sum(chi, libm::cos(theta_deg.to_radians())))
