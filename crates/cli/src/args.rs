@@ -2,6 +2,7 @@
 
 mod check;
 mod export;
+mod nearest;
 mod phase_check;
 mod shell;
 
@@ -12,6 +13,7 @@ use std::path::PathBuf;
 pub use crate::solve_args::SolveArgs;
 pub use check::CheckArgs;
 pub use export::{ExportArgs, Format};
+pub use nearest::NearestArgs;
 pub use phase_check::{Convention, PhaseCheckArgs};
 pub use shell::{CompletionsArgs, ManArgs};
 
@@ -61,6 +63,8 @@ pub enum Command {
     Check(CheckArgs),
     /// Say what is wrong with somebody's phase table or constants.
     PhaseCheck(PhaseCheckArgs),
+    /// The nearest Henyey-Greenstein, two-lobe and HG + Draine functions, with their measured error.
+    Nearest(NearestArgs),
     /// Every stage, then the report: from droplets to shader tables.
     Reproduce(StageArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.

@@ -40,6 +40,7 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
         Command::Export(args) => commands::export::run(args, talk),
         Command::Check(args) => commands::check::run(args, talk),
         Command::PhaseCheck(args) => commands::phase_check::run(args, talk),
+        Command::Nearest(args) => commands::nearest::run(args),
         Command::Reproduce(args) => commands::stages::reproduce(args, talk),
         Command::Report(args) => commands::report::run(args, talk),
         Command::Completions(args) => commands::shell::completions(args),

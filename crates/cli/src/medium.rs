@@ -95,8 +95,7 @@ fn source(phase: &str, norm: Norm) -> Result<Source, CliError> {
             let [g, alpha] = numbers::pair(pair).map_err(input)?;
             Ok(Source::of(Draine::new(asymmetry(g)?, alpha).map_err(|error| input(error.to_string()))?))
         }
-        ("moments", file) => from_file(file, PhaseTable::read_moments(Path::new(file))),
-        ("table", file) => from_file(file, PhaseTable::read(Path::new(file), norm)),
+        ("moments" | "table", _) => phase_table(phase, norm).map(Source::of),
         ("config", file) => from_config(Path::new(file)),
         _ => Err(CliError::Input(format!(
             "--phase {phase}: not one of isotropic, rayleigh, hg:G, draine:G,ALPHA, moments:FILE, table:FILE, config:FILE"
@@ -104,9 +103,26 @@ fn source(phase: &str, norm: Norm) -> Result<Source, CliError> {
     }
 }
 
+/// The phase function of `moments:FILE`, `table:FILE` or `config:FILE` as a table.
+///
+/// # Errors
+/// [`CliError::Input`] naming what is wrong.
+pub fn phase_table(phase: &str, norm: Norm) -> Result<PhaseTable, CliError> {
+    match phase.split_once(':') {
+        Some(("moments", file)) => named(file, PhaseTable::read_moments(Path::new(file))),
+        Some(("table", file)) => named(file, PhaseTable::read(Path::new(file), norm)),
+        Some(("config", file)) => {
+            Ok(pipeline::optics::at_transport_wavelength(&Config::load(Path::new(file))?)?.phase)
+        }
+        _ => {
+            Err(CliError::Input(format!("--phase {phase}: not one of moments:FILE, table:FILE, config:FILE")))
+        }
+    }
+}
+
 /// The table read from `file`; what is wrong with the numbers is told with the file's name.
-fn from_file(file: &str, table: Result<PhaseTable, OpticsError>) -> Result<Source, CliError> {
-    table.map(Source::of).map_err(|error| match error {
+fn named(file: &str, table: Result<PhaseTable, OpticsError>) -> Result<PhaseTable, CliError> {
+    table.map_err(|error| match error {
         OpticsError::Artifact(error) => error.into(),
         other => CliError::Input(format!("{file}: {other}")),
     })

@@ -4,6 +4,7 @@ pub mod check;
 pub mod codegen;
 pub mod export;
 pub mod mie;
+pub mod nearest;
 pub mod optics;
 pub mod order_rows;
 pub mod phase_check;
