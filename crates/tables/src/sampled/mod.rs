@@ -1,7 +1,7 @@
 //! A phase function at N equal steps of the angle map's coordinate, as textures hold it.
 //!
 //! Texel i stands at u = i/(N-1) of [`angle_map`]; a look-up is linear in u between texels. The values are those
-//! whose look-up is nearest to the table: ½∫(look-up - P)² sinΘ dΘ is least (`projection`), so the look-up
+//! whose look-up is nearest to the table: ½∫(look-up - P)² sinΘ dΘ is least (see `projection.rs`), so the look-up
 //! keeps the integral, and g to about 1e-7. Of point samples the integral is 3 % off at 64 texels; scaled to 1
 //! they are 3 times further from the table. The values are then divided by the look-up's integral, which is 1 up to
 //! quadrature and jumps; [`Sampled::scaled_by`] says by what.
