@@ -1,11 +1,11 @@
 #!/usr/bin/env node
-// Gives the emitted shaders to a browser: Tint's messages on the WGSL, and the embedded self-test run in WebGPU and,
-// as GLSL 300 es, in WebGL 2.
+// Gives the emitted shaders to a browser: Tint's messages on the WGSL, and the embedded self-tests run in WebGPU
+// and, as GLSL 300 es, in WebGL 2.
 //
 //     scripts/tint-check.mjs [FOLDER]          the folder of emitted files; default: the paper's cloud
 //
 // Needs Node and Chromium (CHROMIUM names it; default /usr/bin/chromium), no display and no graphics card. Exit code 0
-// if Tint has no message and both self-tests count no wrong value, 1 otherwise, 2 if there is no such browser.
+// if Tint has no message and no self-test counts a wrong value, 1 otherwise, 2 if there is no such browser.
 import { spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -69,15 +69,21 @@ async function messages(code) {
     return messages.map((m) => `${m.type} ${m.lineNum}:${m.linePos} ${m.message}`);
 }
 
-async function selfTestWebGpu(code) {
+async function selfTestWebGpu(code, name, table) {
     const device = await (await navigator.gpu.requestAdapter()).requestDevice();
-    const entry = `@group(0) @binding(0) var<storage, read_write> test_count: array<u32>;
-        @compute @workgroup_size(1) fn main() { test_count[0] = stratiform_self_test(); }`;
+    const entry = `@group(0) @binding(1) var<storage, read_write> test_count: array<u32>;
+        @compute @workgroup_size(1) fn main() { test_count[0] = ${name}(); }`;
     const module = device.createShaderModule({ code: `${code}\n${entry}` });
     const pipeline = await device.createComputePipelineAsync({ layout: "auto", compute: { module } });
     const [written, read] = [GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC, GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST]
         .map((usage) => device.createBuffer({ size: 4, usage }));
-    const group = device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries: [{ binding: 0, resource: written }] });
+    const entries = [{ binding: 1, resource: written }];
+    if (table) {
+        const buffer = device.createBuffer({ size: 4 * table.length, usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST });
+        device.queue.writeBuffer(buffer, 0, new Float32Array(table));
+        entries.push({ binding: 0, resource: buffer });
+    }
+    const group = device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries });
     const encoder = device.createCommandEncoder();
     const pass = encoder.beginComputePass();
     pass.setPipeline(pipeline);
@@ -90,7 +96,7 @@ async function selfTestWebGpu(code) {
     return new Uint32Array(read.getMappedRange())[0];
 }
 
-function selfTestWebGl(code) {
+function selfTestWebGl(code, name, table) {
     const gl = new OffscreenCanvas(1, 1).getContext("webgl2");
     const shader = (type, text) => {
         const shader = gl.createShader(type);
@@ -102,7 +108,7 @@ function selfTestWebGl(code) {
     const program = gl.createProgram();
     const head = "#version 300 es\nprecision highp float;\nprecision highp int;\n";
     gl.attachShader(program, shader(gl.VERTEX_SHADER, `${head}void main() { gl_Position = vec4(0.0, 0.0, 0.0, 1.0); gl_PointSize = 1.0; }`));
-    gl.attachShader(program, shader(gl.FRAGMENT_SHADER, `${head}${code}\nout uvec4 test_count;\nvoid main() { test_count = uvec4(stratiform_self_test()); }`));
+    gl.attachShader(program, shader(gl.FRAGMENT_SHADER, `${head}${code}\nout uvec4 test_count;\nvoid main() { test_count = uvec4(${name}()); }`));
     gl.linkProgram(program);
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
     gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
@@ -111,6 +117,13 @@ function selfTestWebGl(code) {
     gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, gl.getParameter(gl.RENDERBUFFER_BINDING));
     gl.clearBufferuiv(gl.COLOR, 0, [4294967295, 0, 0, 0]);
     gl.useProgram(program);
+    if (table) {
+        gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+        gl.texStorage2D(gl.TEXTURE_2D, 1, gl.R32F, table.length / 2, 2);
+        gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, table.length / 2, 2, gl.RED, gl.FLOAT, new Float32Array(table));
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+        gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    }
     gl.drawArrays(gl.POINTS, 0, 1);
     const pixel = new Uint32Array(4);
     gl.readPixels(0, 0, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, pixel);
@@ -129,8 +142,14 @@ const modules = {
     "stratiform.wgsl + stratiform_self_test.wgsl": `${library}\n${read("stratiform_self_test.wgsl")}`,
     "stratiform_phase.wgsl": read("stratiform_phase.wgsl"),
 };
-const kappa = library.match(/STRATIFORM_KAPPA_S: f32 = ([0-9.]+)/)[1];
-const slip = (code) => code.replace(kappa, (1.001 * kappa).toFixed(7));
+const rows = read("phase_warped.csv").trim().split("\n").slice(1).map((line) => line.split(",").map(Number));
+// Each library with its self-test, the table that it takes, and a constant of which a thousandth is seen.
+const libraries = [
+    { name: "stratiform", selfTest: "stratiform_self_test", constant: library.match(/STRATIFORM_KAPPA_S: f32 = ([0-9.]+)/)[1] },
+    { name: "stratiform_phase", selfTest: "stratiform_phase_self_test", constant: "0.2145988016",
+        table: [...rows.map((row) => row[2]), ...rows.map((row) => row[3])] },
+];
+const slip = (code, constant) => code.replace(constant, (1.001 * constant).toFixed(9));
 const page = await open();
 let failed = 0;
 const check = (name, found, good) => {
@@ -145,11 +164,14 @@ try {
     }
     const broken = await page.evaluate(messages, library.replace("f32", "f23"));
     check("Tint, a planted error", broken.join("; ").split("\n")[0], broken.some((m) => m.startsWith("error")));
-    for (const [name, run, code] of [["WebGPU", selfTestWebGpu, library], ["WebGL 2", selfTestWebGl, read("stratiform.300es.glsl")]]) {
-        const wrong = await page.evaluate(run, code);
-        check(`self-test in ${name}, wrong values`, wrong, wrong === 0);
-        const planted = await page.evaluate(run, slip(code));
-        check(`self-test in ${name} with a planted constant, wrong values`, planted, planted > 0);
+    for (const { name, selfTest, constant, table } of libraries) {
+        for (const [place, run, ending] of [["WebGPU", selfTestWebGpu, "wgsl"], ["WebGL 2", selfTestWebGl, "300es.glsl"]]) {
+            const file = `${name}.${ending}`;
+            const wrong = await page.evaluate(run, read(file), selfTest, table);
+            check(`${selfTest} in ${place}, wrong values`, wrong, wrong === 0);
+            const planted = await page.evaluate(run, slip(read(file), constant), selfTest, table);
+            check(`${selfTest} in ${place} with a planted constant, wrong values`, planted, planted > 0);
+        }
     }
 } catch (error) {
     check("the browser", error.message, false);

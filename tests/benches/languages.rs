@@ -11,6 +11,7 @@ use rand::Rng as _;
 use stratiform_stats::{Purpose, key, photon_stream};
 use stratiform_tests::languages::Emitted;
 use stratiform_tests::languages::tools::{Scratch, ToolError, available};
+use stratiform_tests::{accepted_cloud, paper_config};
 
 /// Inputs per repeat: they stay in the first cache.
 const PAIRS: usize = 2048;
@@ -77,6 +78,11 @@ fn costs(emitted: &Emitted) {
 
 /// Every emitted text's bytes, and without comments and empty lines.
 fn sizes(emitted: &Emitted) {
+    let rows = accepted_cloud(&paper_config()).0.optical.rows.len();
+    let directions = emitted.text("phase_warped.csv").lines().count() - 1;
+    // Five parameters a row and mu_l, but none in diffuse light; the slope and the modified medium's extinction.
+    println!("\ntable of parameters as f32 {:>10} bytes", 4 * (6 * rows - 1 + 2));
+    println!("table of P and P_S^2 as f32 {:>9} bytes", 4 * 2 * directions);
     println!("\nfile                             bytes  without comments");
     for name in emitted.names().into_iter().filter(|name| name.starts_with("stratiform")) {
         let bytes = emitted.bytes(&name);

@@ -4,11 +4,13 @@
 //! Gauss's rule between the nodes of table and texels. Relative errors are those at these points and at the nodes, where
 //! P > 0; they leave out the cells that a jump of P turns into a ramp, which `total_variation` counts.
 
-use crate::sampled::{Quadrature, coordinate, look_up};
+use crate::TablesError;
+use crate::sampled::{Quadrature, TEXELS, coordinate, look_up};
 use serde::{Deserialize, Serialize};
 use stratiform_optics::phase::PhaseTable;
-use stratiform_quantities::angle_map;
+use stratiform_quantities::{Range, angle_map};
 
+const FINITE: Range = Range::closed(-f64::MAX, f64::MAX);
 /// Where the fogbow is looked for, degrees.
 const FOGBOW_DEG: [f64; 2] = [130.0, 150.0];
 /// The glory, degrees.
@@ -47,7 +49,14 @@ impl Card {
                                        largest_error,largest_at_deg,median_error,total_variation";
 
     /// The card of `values`, as stored, for `table`.
-    pub fn new(table: &PhaseTable, values: &[f64]) -> Self {
+    ///
+    /// # Errors
+    /// [`TablesError::Domain`] unless there are 64 to 1024 values, all finite.
+    pub fn new(table: &PhaseTable, values: &[f64]) -> Result<Self, TablesError> {
+        TEXELS.check("texels", values.len() as f64)?;
+        for value in values {
+            FINITE.check("p", *value)?;
+        }
         let jumps: Vec<f64> = jumps_deg(table).map(angle_map::coordinate).collect();
         let reach = 2.0 * coordinate(1, values.len());
         let smooth = |theta_deg: f64| {
@@ -55,7 +64,7 @@ impl Card {
             jumps.iter().all(|jump| (u - jump).abs() >= reach)
         };
         let found = |theta_deg: f64| look_up(values, theta_deg);
-        Self::of_look_up(table, &Quadrature::new(table, values.len()), smooth, found)
+        Ok(Self::of_look_up(table, &Quadrature::new(table, values.len()), smooth, found))
     }
 
     /// The card of any look-up `found` of Θ in degrees, with a rule between whose borders it is smooth; relative

@@ -189,25 +189,25 @@ impl PhaseSet {
     }
 
     /// The card of every function and channel of `sampled`, stored with `precision`.
-    pub fn cards(&self, sampled: &SampledSet, precision: Precision) -> Vec<NamedCard> {
-        let rows = self.rows.iter().zip(&sampled.rows);
-        let tables = rows.flat_map(|(row, samples)| {
-            let functions = std::iter::repeat(row.function);
-            functions.zip(self.channels.iter().zip(row.tables.iter().zip(samples)))
-        });
-        let card =
-            |(function, (channel, (table, sample))): (Function, (&Channel, (&PhaseTable, &Sampled)))| {
+    ///
+    /// # Errors
+    /// [`TablesError::Domain`] for values that the precision cannot hold.
+    pub fn cards(&self, sampled: &SampledSet, precision: Precision) -> Result<Vec<NamedCard>, TablesError> {
+        let mut cards = Vec::new();
+        for (row, samples) in self.rows.iter().zip(&sampled.rows) {
+            for ((channel, table), sample) in self.channels.iter().zip(&row.tables).zip(samples) {
                 let stored: Vec<f64> = sample.values.iter().map(|value| precision.stored(*value)).collect();
-                NamedCard {
-                    function,
+                cards.push(NamedCard {
+                    function: row.function,
                     channel: channel.name(),
                     precision,
                     texels: sampled.texels,
                     scaled_by: sample.scaled_by,
-                    card: Card::new(table, &stored),
-                }
-            };
-        tables.map(card).collect()
+                    card: Card::new(table, &stored)?,
+                });
+            }
+        }
+        Ok(cards)
     }
 }
 

@@ -12,13 +12,13 @@ use stratiform_tables::set::Function;
 use stratiform_tables::write::Precision;
 
 fn card(table: &PhaseTable, texels: usize) -> Card {
-    Card::new(table, &Sampled::new(table, texels).unwrap().values)
+    Card::new(table, &Sampled::new(table, texels).unwrap().values).unwrap()
 }
 
 /// Samples of P, divided by their look-up's integral.
 fn point_samples(table: &PhaseTable, texels: usize) -> Vec<f64> {
     let mut values: Vec<f64> = (0..texels).map(|i| table.at(theta_deg(i, texels).to_radians())).collect();
-    let integral = Card::new(table, &values).integral;
+    let integral = Card::new(table, &values).unwrap().integral;
     values.iter_mut().for_each(|value| *value /= integral);
     values
 }
@@ -60,7 +60,7 @@ fn forward_peak_fogbow_and_glory_are_resolved() {
 #[test]
 fn least_squares_are_nearer_than_point_samples() {
     for texels in [64, 128, 256, 1024] {
-        let samples = Card::new(&cloud(), &point_samples(&cloud(), texels));
+        let samples = Card::new(&cloud(), &point_samples(&cloud(), texels)).unwrap();
         let fitted = card(&cloud(), texels);
         assert!(samples.total_variation > 2.0 * fitted.total_variation, "{texels}: {samples:?} {fitted:?}");
         assert!(samples.largest_error > 1.2 * fitted.largest_error, "{texels}");
@@ -75,7 +75,7 @@ fn a_jump_neither_rings_nor_loses_light() {
         for theta_f in [1.0, 5.0, 10.0, theta_deg(20, texels)] {
             let modified = cloud().modified(theta_f).unwrap();
             let sampled = Sampled::new(&modified, texels).unwrap();
-            let card = Card::new(&modified, &sampled.values);
+            let card = Card::new(&modified, &sampled.values).unwrap();
             assert!(sampled.values.iter().all(|value| *value >= 0.0), "{texels} {theta_f}");
             assert!((sampled.scaled_by - 1.0).abs() < 1e-12, "{texels} {theta_f}: {}", sampled.scaled_by);
             assert!(card.total_variation < 4.0 / texels as f64, "{texels} {theta_f}: {card:?}");
@@ -89,9 +89,9 @@ fn a_jump_neither_rings_nor_loses_light() {
 fn a_flipped_texel_is_seen() {
     for texel in [3, 128, 230] {
         let mut values = Sampled::new(&cloud(), 256).unwrap().values;
-        let good = Card::new(&cloud(), &values);
+        let good = Card::new(&cloud(), &values).unwrap();
         values.swap(texel, texel + 5);
-        let bad = Card::new(&cloud(), &values);
+        let bad = Card::new(&cloud(), &values).unwrap();
         assert!(bad.largest_error > 3.0 * good.largest_error, "{texel}: {bad:?}");
         assert!(bad.total_variation > good.total_variation, "{texel}");
         let at = theta_deg(texel, 256)..=theta_deg(texel + 6, 256);
@@ -107,7 +107,7 @@ fn a_flipped_texel_is_seen() {
 fn a_wrong_map_and_a_wrong_direction_are_seen() {
     let uniform: Vec<f64> =
         (0..256).map(|i| cloud().at((180.0 * f64::from(i) / 255.0).to_radians())).collect();
-    let card_of = |values: &[f64]| Card::new(&cloud(), values);
+    let card_of = |values: &[f64]| Card::new(&cloud(), values).unwrap();
     let wrong = card_of(&uniform);
     assert!((wrong.integral - 1.0).abs() > 0.1 && wrong.total_variation > 0.1, "{wrong:?}");
     let mut backwards = Sampled::new(&cloud(), 256).unwrap().values;
@@ -121,9 +121,9 @@ fn a_wrong_map_and_a_wrong_direction_are_seen() {
 fn half_precision_is_counted() {
     let set = three();
     let sampled = set.sample(256).unwrap();
-    let cards = set.cards(&sampled, Precision::F16);
+    let cards = set.cards(&sampled, Precision::F16).unwrap();
     assert_eq!(cards.len(), 9);
-    let exact = set.cards(&sampled, Precision::F64);
+    let exact = set.cards(&sampled, Precision::F64).unwrap();
     for (half, exact) in cards.iter().zip(&exact).filter(|(half, _)| half.function != Function::Modified) {
         let error = (half.card.largest_error - exact.card.largest_error).abs();
         assert!(error > 0.0 && error < 1.1 / 2048.0 + 1e-5, "{half:?}");
@@ -133,4 +133,11 @@ fn half_precision_is_counted() {
         cards[0].csv().split(',').count(),
         stratiform_tables::set::NamedCard::columns().split(',').count()
     );
+}
+
+#[test]
+fn no_card_of_what_is_no_table() {
+    let refused = |values: &[f64]| Card::new(&cloud(), values).unwrap_err().to_string();
+    assert_eq!(refused(&[1.0; 63]), "texels = 63 is outside [64, 1024]");
+    assert!(refused(&[f64::NAN; 64]).starts_with("p = NaN is outside"));
 }

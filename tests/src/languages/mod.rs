@@ -33,10 +33,17 @@ impl Emitted {
     ///
     /// # Panics
     /// If it cannot be read: a test then fails.
-    #[expect(clippy::expect_used, reason = "for tests only")]
     pub fn committed() -> Self {
         let committed = || crate::root().join("fit-configs/appendix-b/generated");
-        let folder = std::env::var_os("STRATIFORM_EMITTED").map_or_else(committed, PathBuf::from);
+        Self::at(std::env::var_os("STRATIFORM_EMITTED").map_or_else(committed, PathBuf::from))
+    }
+
+    /// The text in `folder`.
+    ///
+    /// # Panics
+    /// If it cannot be read: a test then fails.
+    #[expect(clippy::expect_used, reason = "for tests only")]
+    pub fn at(folder: PathBuf) -> Self {
         let test = fs::read_to_string(folder.join("self_test.json")).expect("the self-test's vectors");
         Self { folder, test: serde_json::from_str(&test).expect("vectors that can be read") }
     }

@@ -123,3 +123,31 @@ pub fn words(path: &Path) -> Result<Vec<u32>, ToolError> {
 pub fn words_of(bytes: &[u8]) -> Vec<u32> {
     bytes.as_chunks().0.iter().map(|four| u32::from_le_bytes(*four)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+
+    use super::*;
+
+    #[test]
+    fn a_missing_tool_is_told_from_one_that_refuses() {
+        let scratch = Scratch::new().unwrap();
+        assert!(matches!(scratch.run("no-such-compiler", &[]), Err(ToolError::Missing("no-such-compiler"))));
+        let refused = scratch.run("rustc", &["no-such-file.rs"]).unwrap_err();
+        assert!(matches!(&refused, ToolError::Refused { said, .. } if said.contains("no-such-file.rs")));
+    }
+
+    #[test]
+    fn an_optional_tool_is_skipped() {
+        assert!(available::<()>(Err(ToolError::Missing("extra")), &["extra"]).is_none());
+        assert_eq!(available(Ok(1), &[]), Some(1));
+    }
+
+    #[test]
+    #[should_panic = "refused here"]
+    fn a_refusal_is_never_skipped() {
+        let refused = ToolError::Refused { command: "tool".to_owned(), said: "refused here".to_owned() };
+        available::<()>(Err(refused), &["tool"]);
+    }
+}

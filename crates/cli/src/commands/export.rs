@@ -45,12 +45,26 @@ enum Worth {
 
 /// What the writers choose from.
 struct Source {
-    /// Per wavelength, as computed.
-    spectral: PhaseSet,
-    /// Name in files, tables, texels: per wavelength, and in linear sRGB where that is asked for.
-    phase: Vec<(&'static str, PhaseSet, SampledSet)>,
+    /// A channel per wavelength.
+    spectral: Phase,
+    /// Linear sRGB.
+    colour: Option<Phase>,
     /// None before a table was accepted.
     parameters: Option<ParameterTexels>,
+}
+
+/// Phase functions before and after sampling.
+struct Phase {
+    /// The name in files.
+    name: &'static str,
+    tables: PhaseSet,
+    texels: SampledSet,
+}
+
+impl Phase {
+    fn new(name: &'static str, tables: PhaseSet, texels: usize) -> Result<Self, TablesError> {
+        Ok(Self { name, texels: tables.sample(texels)?, tables })
+    }
 }
 
 /// Runs the command. Every file is made before the first is written.
@@ -84,17 +98,10 @@ fn source(args: &ExportArgs, talk: Talk) -> Result<Source, CliError> {
     let phase = phase_set(&config);
     spinner.finish_and_clear();
     let spectral = phase?;
-    let phase = sampled(spectral.clone(), args).map_err(pipeline::input_error)?;
-    Ok(Source { spectral, phase, parameters })
-}
-
-fn sampled(
-    spectral: PhaseSet,
-    args: &ExportArgs,
-) -> Result<Vec<(&'static str, PhaseSet, SampledSet)>, TablesError> {
-    let colour = if args.srgb { Some(("phase-srgb", spectral.linear_srgb()?)) } else { None };
-    let sets = [("phase", spectral)].into_iter().chain(colour);
-    sets.map(|(name, set)| set.sample(args.texels).map(|sampled| (name, set, sampled))).collect()
+    let colour = args.srgb.then(|| spectral.linear_srgb());
+    let colour = colour.map(|set| Phase::new("phase-srgb", set?, args.texels)).transpose();
+    let spectral = Phase::new("phase", spectral, args.texels).map_err(pipeline::input_error)?;
+    Ok(Source { spectral, colour: colour.map_err(pipeline::input_error)?, parameters })
 }
 
 /// The files of one format.
@@ -127,7 +134,7 @@ impl Source {
     fn peer(&self, program: Program) -> Result<Vec<File>, TablesError> {
         let file =
             |file: NamedFile| File { name: file.name, bytes: file.bytes, worth: Worth::Cards(file.cards) };
-        Ok(program.files(&self.spectral)?.into_iter().map(file).collect())
+        Ok(program.files(&self.spectral.tables)?.into_iter().map(file).collect())
     }
 
     /// The container of the phase functions, and that of the parameters if there are any.
@@ -139,11 +146,11 @@ impl Source {
         parameters: impl Fn(&ParameterTexels) -> Bytes,
     ) -> Result<Vec<File>, TablesError> {
         let mut files = Vec::new();
-        for (name, set, sampled) in &self.phase {
+        for set in [&self.spectral].into_iter().chain(&self.colour) {
             files.push(File {
-                name: format!("{name}.{ending}"),
-                bytes: phase(sampled)?,
-                worth: Worth::Cards(set.cards(sampled, precision)),
+                name: format!("{}.{ending}", set.name),
+                bytes: phase(&set.texels)?,
+                worth: Worth::Cards(set.tables.cards(&set.texels, precision)?),
             });
         }
         if let Some(table) = &self.parameters {

@@ -55,7 +55,7 @@ pub(super) fn image(
         comments: Some(text(comments)?),
         ..LayerAttributes::default()
     };
-    attributes.other.insert(Text::from("stratiform"), AttributeValue::Text(text(metadata)?));
+    attributes.other.insert(Text::from("stratiform"), AttributeValue::Text(text(&ascii(metadata))?));
     let channels = planes
         .into_iter()
         .map(|plane| Ok(AnyChannel::new(text(&plane.name)?, FlatSamples::F32(plane.values))));
@@ -70,6 +70,15 @@ pub(super) fn image(
     let refuse = |error: ::exr::error::Error| refusal(error.to_string());
     Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes).map_err(refuse)?;
     Ok(bytes.into_inner())
+}
+
+/// JSON with everything beyond ASCII as `\u` escapes: readers differ in what they take a byte above 127 for.
+fn ascii(json: &str) -> String {
+    let escaped = json.chars().map(|character| match character {
+        ' '..='~' => character.to_string(),
+        other => other.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect(),
+    });
+    escaped.collect()
 }
 
 /// EXR's texts are Latin-1.

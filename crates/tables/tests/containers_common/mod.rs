@@ -50,7 +50,7 @@ fn medium(wavelength_um: f64) -> ChannelMedium {
 pub fn set(tables: Vec<PhaseTable>) -> PhaseSet {
     let wavelengths = [0.65, 0.55, 0.5325, 0.45, 0.4];
     let about = About {
-        title: "A test".to_owned(),
+        title: "Wolke über der Stadt, r_e = 7 µm, 雲 ☁ 🌈".to_owned(),
         droplets: "modified gamma".to_owned(),
         effective_radius_um: 7.0,
         effective_variance: 0.25,
