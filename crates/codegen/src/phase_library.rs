@@ -95,7 +95,7 @@ fn access(target: Target, table: &[String]) -> String {
         Target::Glsl330 | Target::Glsl300Es => {
             let value = "texelFetch(stratiform_phase_table, ivec2(int(index), int(row)), 0).r";
             format!(
-                "// The host binds the table here: a texture of one float channel, {COUNT} x 2.\nuniform highp sampler2D stratiform_phase_table;\n\n"
+                "// The host binds the table here: a float texture {COUNT} wide,\n// channel r, the first two rows; that of `stratiform export --texels {COUNT}` has P and P_S * P_S there.\nuniform highp sampler2D stratiform_phase_table;\n\n"
             ) + &function("float stratiform_phase_texel(uint row, uint index)", value)
         }
         Target::Hlsl => {

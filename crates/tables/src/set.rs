@@ -24,7 +24,7 @@ pub enum Function {
 
 impl Function {
     /// All, in the order of a file's rows.
-    pub const ALL: [Self; 3] = [Self::Full, Self::Modified, Self::Squared];
+    pub const ALL: [Self; 3] = [Self::Full, Self::Squared, Self::Modified];
 
     /// The name in files.
     pub fn name(self) -> &'static str {

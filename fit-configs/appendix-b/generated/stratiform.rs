@@ -82,7 +82,7 @@
 //
 // Row theta_l = diffuse: beta-fixed.
 
-#![allow(dead_code, clippy::excessive_precision, clippy::approx_constant)]
+#![allow(dead_code, missing_docs, clippy::excessive_precision, clippy::approx_constant)]
 
 /// (1 - beta) / beta: T_ms = (b + (1 - b) exp(-c tau)) / (1 + slope tau).
 pub const STRATIFORM_SLOPE: f32 = 0.10771357;

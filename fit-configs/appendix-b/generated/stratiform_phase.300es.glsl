@@ -22,7 +22,8 @@
 precision highp float;
 precision highp int;
 
-// The host binds the table here: a texture of one float channel, 1024 x 2.
+// The host binds the table here: a float texture 1024 wide,
+// channel r, the first two rows; that of `stratiform export --texels 1024` has P and P_S * P_S there.
 uniform highp sampler2D stratiform_phase_table;
 
 // Value `index` of row `row` of the table.

@@ -19,7 +19,7 @@
 //   full       median 5.1e-5, 95 % 6.0e-4, worst 8.8e-4
 //   squared    median 2.8e-6, 95 % 4.5e-5, worst 6.7e-5
 
-#![allow(dead_code, clippy::excessive_precision, clippy::approx_constant)]
+#![allow(dead_code, missing_docs, clippy::excessive_precision, clippy::approx_constant)]
 
 /// P of the full medium, then P_S convolved with itself.
 pub static STRATIFORM_PHASE_TABLE: [f32; 2048] = [

@@ -168,4 +168,5 @@ pub(crate) fn translate(library: &Library<'_>, target: Target) -> Result<Option<
 }
 
 /// Lints that generated text cannot please: a table of nodes, and literals with all their digits.
-const RUST_ALLOWED: &str = "#![allow(dead_code, clippy::excessive_precision, clippy::approx_constant)]\n\n";
+const RUST_ALLOWED: &str =
+    "#![allow(dead_code, missing_docs, clippy::excessive_precision, clippy::approx_constant)]\n\n";
