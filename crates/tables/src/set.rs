@@ -23,9 +23,6 @@ pub enum Function {
 }
 
 impl Function {
-    /// All, in the order of a file's rows.
-    pub const ALL: [Self; 3] = [Self::Full, Self::Squared, Self::Modified];
-
     /// The name in files.
     pub fn name(self) -> &'static str {
         match self {
@@ -132,7 +129,7 @@ pub struct PhaseSet {
 }
 
 impl PhaseSet {
-    /// The three functions of each channel's P.
+    /// The three functions of each channel's P: full, squared, modified.
     ///
     /// # Errors
     /// [`TablesError::Optics`] if θ_f leaves nothing, or if P*P cannot be held by the table's nodes.
@@ -142,8 +139,9 @@ impl PhaseSet {
         let modified: Vec<_> =
             full.iter().map(|table| table.modified(theta_f_deg)).collect::<Result<_, _>>()?;
         let squared = modified.iter().map(PhaseTable::squared).collect::<Result<_, _>>()?;
-        let rows = Function::ALL.into_iter().zip([full, modified, squared]);
-        let rows = rows.map(|(function, tables)| Row { function, tables }).collect();
+        // The emitted look-up reads P and P_S * P_S in the first two rows.
+        let rows = [(Function::Full, full), (Function::Squared, squared), (Function::Modified, modified)];
+        let rows = rows.map(|(function, tables)| Row { function, tables }).into();
         Ok(Self { channels, rows, about })
     }
 

@@ -189,11 +189,11 @@ fn values_that_a_container_cannot_hold_are_refused() {
     for writer in writers {
         for value in [f64::NAN, f64::INFINITY] {
             let error = writer(&with(value)).unwrap_err();
-            assert!(error.to_string().starts_with("p of modified at 532,5nm in f"), "{error}");
+            assert!(error.to_string().starts_with("p of squared at 532,5nm in f"), "{error}");
         }
     }
     let error = phase_ktx2(&with(65_520.0), Precision::F16).unwrap_err().to_string();
-    assert_eq!(error, "p of modified at 532,5nm in f16 = 65520 is outside [-65504, 65504]");
+    assert_eq!(error, "p of squared at 532,5nm in f16 = 65520 is outside [-65504, 65504]");
     assert!(phase_ktx2(&with(65_520.0), Precision::F32).is_ok());
     assert!(phase_exr(&with(1e39)).is_err() && phase_npz(&with(1e39)).is_ok());
     assert!(phase_ktx2(&sampled, Precision::F64).is_err());

@@ -141,3 +141,20 @@ fn no_card_of_what_is_no_table() {
     assert_eq!(refused(&[1.0; 63]), "texels = 63 is outside [64, 1024]");
     assert!(refused(&[f64::NAN; 64]).starts_with("p = NaN is outside"));
 }
+
+/// A row holds what its name says: P; P_S, which is 0 below θ_f; and the function whose moments are those of P_S squared
+/// (convolution on the sphere). Rows that changed places would miss by far.
+#[test]
+fn rows_hold_the_functions_that_they_are_named_after() {
+    use stratiform_optics::phase::PhaseFunction;
+    let table = |function: Function| {
+        let row = three().rows.iter().find(|row| row.function == function).unwrap();
+        &row.tables[0]
+    };
+    assert_eq!(*table(Function::Full), cloud());
+    let [modified, squared] = [Function::Modified, Function::Squared].map(table);
+    assert!(modified.at(4.9_f64.to_radians()) == 0.0 && squared.at(4.9_f64.to_radians()) > 0.1);
+    for (chi, both) in modified.moments(20).iter().zip(squared.moments(20)) {
+        assert!((chi * chi - both).abs() < 1e-4, "{chi} {both}");
+    }
+}

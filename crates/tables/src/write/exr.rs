@@ -1,4 +1,4 @@
-//! OpenEXR: 32-bit floats, scan lines, ZIP. A row per function (full, modified, squared), a column per texel, a channel
+//! OpenEXR: 32-bit floats, scan lines, ZIP. A row per function (full, squared, modified), a column per texel, a channel
 //! per wavelength (`550nm`) or R, G, B.
 //!
 //! The attribute `comments` says the conventions in words, `stratiform` holds the metadata as JSON. The library keeps further
