@@ -19,11 +19,17 @@ pub fn create_folder(folder: &Path) -> Result<(), ArtifactError> {
 }
 
 /// Writes `bytes` beside `path`, flushes them to the disk, and renames: an interrupted or failed write leaves
-/// the old file, or none.
+/// the old file, or none. A symbolic link stays, and the file that it names is written.
 ///
 /// # Errors
-/// [`ArtifactError::Io`] if any step fails; the temporary file is then removed.
+/// [`ArtifactError::Io`] if any step fails, the temporary file being removed; or if `path` is there and is no regular
+/// file.
 pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), ArtifactError> {
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let path = target.as_path();
+    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
+        return Err(io("write", path)(std::io::Error::other("it is no regular file")));
+    }
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(format!(".{}.partial", std::process::id()));
     let partial = path.with_file_name(name);

@@ -208,8 +208,8 @@ pub struct TraceArgs {
 /// `stratiform fit` and `stratiform reproduce`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Example: stratiform reproduce fit-configs/appendix-b.toml --out out/appendix-b\nStages whose \
-                        inputs are unchanged are not run again."
+    after_help = "Examples:\n  stratiform reproduce fit-configs/appendix-b.toml --out out/appendix-b\n  stratiform fit \
+                  fit-configs/appendix-b.toml --out out/appendix-b\nStages whose inputs are unchanged are not run again."
 )]
 pub struct StageArgs {
     /// The fit-config (TOML).
@@ -230,7 +230,11 @@ pub struct StageArgs {
 
 /// `stratiform codegen`.
 #[derive(Debug, Args)]
-#[command(after_help = "Example: stratiform codegen fit-configs/appendix-b.toml --check")]
+#[command(
+    after_help = "Example: stratiform codegen fit-configs/appendix-b.toml --check\nThe config's [codegen] section names the \
+                  languages: targets = [\"wgsl\", \"glsl-450\", \"glsl-330\", \"glsl-300es\", \"hlsl\", \"msl\", \"c\", \"rust\", \
+                  \"spirv\"], all of them where the key is left out."
+)]
 pub struct CodegenArgs {
     /// The fit-config, whose codegen section names the accepted artifacts and the output folder.
     pub config: PathBuf,

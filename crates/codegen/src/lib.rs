@@ -38,7 +38,7 @@ pub use inputs::{Inputs, PhaseRow, PhaseTables, QUANTITIES, ReferencePoint};
 pub use language::{SubsetError, Target};
 pub use node_error::leave_one_out;
 pub use self_test::{SelfTest, SelfTestVector, self_test_module};
-pub use stale::{REGENERATE, Stale, check, write};
+pub use stale::{REGENERATE, Stale, check, left_over, write};
 pub use tables::{diffuse_parameters, parameter_grid};
 
 /// Every file for the `targets`, and the tables.

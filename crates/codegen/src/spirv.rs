@@ -11,7 +11,9 @@ pub(crate) fn module(wgsl: &str) -> Result<Vec<u8>, CodegenError> {
     let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
         .validate(&module)
         .map_err(|error| shader(error.emit_to_string(wgsl)))?;
-    let options = spv::Options { lang_version: (1, 3), ..spv::Options::default() };
+    // Names kept, whatever profile this is built in: the default flags depend on it.
+    let flags = spv::WriterFlags::DEBUG;
+    let options = spv::Options { lang_version: (1, 3), flags, ..spv::Options::default() };
     let words = spv::write_vec(&module, &info, &options, None).map_err(|error| shader(error.to_string()))?;
     Ok(words.iter().flat_map(|word| word.to_le_bytes()).collect())
 }

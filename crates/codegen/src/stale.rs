@@ -2,6 +2,7 @@
 
 use crate::{CodegenError, Files};
 use std::fmt;
+use std::io::ErrorKind;
 use std::path::Path;
 use stratiform_artifact::{create_folder, write_atomic};
 
@@ -16,12 +17,17 @@ const SHOWN: usize = 12;
 pub struct Stale {
     /// Its name.
     pub file: String,
+    /// Whether nothing generates it.
+    pub left_over: bool,
     /// What differs, line by line.
     pub diff: String,
 }
 
 impl fmt::Display for Stale {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.left_over {
+            return write!(f, "{} is not generated, perhaps no longer: delete it\n", self.file);
+        }
         write!(f, "{} is stale: run `{REGENERATE}`\n{}", self.file, self.diff)
     }
 }
@@ -48,22 +54,23 @@ pub fn check(files: &Files, folder: &Path) -> Result<(), Vec<Stale>> {
             (Ok(found), _) if found == expected => return None,
             (Ok(found), Ok(text)) => difference(&String::from_utf8_lossy(&found), text),
             (Ok(found), Err(_)) => format!("{} bytes differ from {}\n", found.len(), expected.len()),
+            (Err(error), _) if error.kind() == ErrorKind::NotFound => "it is missing\n".to_owned(),
             (Err(error), _) => format!("cannot read it: {error}\n"),
         };
-        Some(Stale { file: name.to_owned(), diff })
+        Some(Stale { file: name.to_owned(), left_over: false, diff })
     };
     let mut all: Vec<_> = files.iter().filter_map(stale).collect();
     all.extend(left_over(files, folder));
     if all.is_empty() { Ok(()) } else { Err(all) }
 }
 
-/// Files in `folder` that nothing generates.
-fn left_over(files: &Files, folder: &Path) -> Vec<Stale> {
+/// Files in `folder` that nothing generates, in order.
+pub fn left_over(files: &Files, folder: &Path) -> Vec<Stale> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let mut names: Vec<_> = entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
     names.sort_unstable();
     let unknown = names.into_iter().filter(|name| files.bytes(name).is_none());
-    unknown.map(|file| Stale { file, diff: "it is not generated: delete it\n".to_owned() }).collect()
+    unknown.map(|file| Stale { file, left_over: true, diff: String::new() }).collect()
 }
 
 /// The lines between the common start and the common end: `-` what stands there, `+` what belongs there.

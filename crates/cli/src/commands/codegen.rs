@@ -13,7 +13,7 @@ pub fn run(args: &CodegenArgs, talk: Talk) -> Result<Data, CliError> {
     let config = Config::load(&args.config)?;
     let folder = |name: &str| args.config.parent().unwrap_or(std::path::Path::new(".")).join(name);
     let (accepted, output) = (folder(&config.codegen.accepted), folder(&config.codegen.output));
-    let inputs = pipeline::accepted::read(&accepted)?;
+    let inputs = pipeline::accepted::read_for(&config, &accepted)?;
     let files =
         stratiform_codegen::generate(&inputs, &config.codegen.targets).map_err(pipeline::input_error)?;
     if args.check {
@@ -26,6 +26,9 @@ pub fn run(args: &CodegenArgs, talk: Talk) -> Result<Data, CliError> {
         talk.say(format!("{} files in {} are fresh", files.names().len(), output.display()));
     } else {
         stratiform_codegen::write(&files, &output).map_err(pipeline::input_error)?;
+        for left_over in stratiform_codegen::left_over(&files, &output) {
+            talk.say(format!("{}/{}", output.display(), left_over.to_string().trim_end()));
+        }
     }
     let names: Vec<_> = files.names().map(|name| output.join(name).display().to_string()).collect();
     Ok(if args.json { object(true, &names) } else { names.join("\n") + "\n" })

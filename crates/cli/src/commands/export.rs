@@ -92,7 +92,7 @@ fn source(args: &ExportArgs, talk: Talk) -> Result<Source, CliError> {
     TEXELS.check("texels", args.texels as f64)?;
     let parameters = accepted_parameters(&config, &args.config)?;
     if parameters.is_none() {
-        talk.say("no accepted parameters yet: phase functions only");
+        talk.say("no accepted parameters of this config: phase functions only");
     }
     let spinner = progress::spinner("optics", talk.quiet);
     let phase = phase_set(&config);

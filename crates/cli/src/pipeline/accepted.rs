@@ -2,7 +2,9 @@
 //!
 //! `reproduce` writes such a folder under its own; a copy of it, once looked at, is what is committed as accepted.
 
+use super::provenance;
 use crate::CliError;
+use crate::config::Config;
 use std::path::Path;
 use stratiform_artifact::{read_csv, read_json, write_csv, write_json};
 use stratiform_codegen::{Inputs, PhaseTables};
@@ -25,6 +27,23 @@ pub fn read(folder: &Path) -> Result<Inputs, CliError> {
         },
         reference: read_csv(&folder.join(FILES[4]))?,
     })
+}
+
+/// Reads `folder` if what is in it was made from `config`.
+///
+/// # Errors
+/// As [`read`]; [`CliError::Failed`] if it was made from another config's optics, transport or fit.
+pub fn read_for(config: &Config, folder: &Path) -> Result<Inputs, CliError> {
+    let inputs = read(folder)?;
+    let (found, expected) = (&inputs.parameters.provenance.config_hash, provenance(config).config_hash);
+    if *found != expected {
+        return Err(CliError::Failed(format!(
+            "{}: the accepted parameters are of another config (hash {found}, this one's optics, transport and fit have \
+             {expected}): run `stratiform reproduce` on it, look at the result, and copy its folder `accepted` there",
+            folder.display()
+        )));
+    }
+    Ok(inputs)
 }
 
 /// Writes `folder`, which must exist.

@@ -1,7 +1,7 @@
 //! What is exported of a config: its cloud's phase functions, and the accepted parameters.
 
 use super::optics::{ensembles, optics_error};
-use super::{accepted, input_error};
+use super::{accepted, input_error, provenance};
 use crate::CliError;
 use crate::config::Config;
 use std::path::Path;
@@ -21,7 +21,7 @@ pub fn phase_set(config: &Config) -> Result<PhaseSet, CliError> {
     PhaseSet::new(full.collect(), about).map_err(input_error)
 }
 
-/// The accepted parameters of the config at `path`; none if none were accepted yet.
+/// The accepted parameters of the config at `path`; none if none were accepted yet, or another config's.
 ///
 /// # Errors
 /// [`CliError::Input`] naming a damaged file, or what is wrong with its rows.
@@ -32,6 +32,9 @@ pub fn accepted_parameters(config: &Config, path: &Path) -> Result<Option<Parame
         return Ok(None);
     }
     let document: ParametersDocument = read_json(&file)?;
+    if document.provenance.config_hash != provenance(config).config_hash {
+        return Ok(None);
+    }
     let place = |error| input_error(error).at(&file.display().to_string());
     ParameterTexels::new(&document).map(Some).map_err(place)
 }
