@@ -27,6 +27,14 @@ async function open() {
     const browser = spawn(chromium, [...FLAGS, `--user-data-dir=${profile}`], { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
     const waiting = new Map();
     let [count, rest] = [0, ""];
+    // A browser that does not start, dies or hangs answers nobody.
+    const giveUp = (reason) => {
+        for (const answer of waiting.values()) answer({ error: { message: reason } });
+    };
+    browser.on("error", (error) => giveUp(error.message));
+    browser.on("exit", (code) => giveUp(`it ended with ${code}`));
+    browser.stdio[3].on("error", () => {});
+    const watch = setTimeout(() => { giveUp("no answer in 120 s"); browser.kill("SIGKILL"); }, 120_000);
     browser.stdio[4].setEncoding("utf8").on("data", (chunk) => {
         const parts = (rest + chunk).split("\0");
         rest = parts.pop();
@@ -53,6 +61,7 @@ async function open() {
         return result.value;
     };
     const close = () => new Promise((done) => {
+        clearTimeout(watch);
         browser.on("exit", () => { rmSync(profile, { recursive: true, force: true, maxRetries: 5 }); done(); });
         browser.kill();
     });

@@ -46,6 +46,6 @@ fn there_is_a_manual_page_of_every_command() {
     assert_eq!(listed.lines().count(), 1 + commands().len());
     for command in commands() {
         let page = fs::read_to_string(dir.path().join(format!("man1/stratiform-{command}.1"))).unwrap();
-        assert!(page.contains(&format!("stratiform\\-{command}")), "{page}");
+        assert!(page.contains(&format!("stratiform-{command}").replace('-', "\\-")), "{page}");
     }
 }

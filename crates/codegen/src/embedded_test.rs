@@ -1,34 +1,57 @@
 //! The self-test that every library carries: a few vectors with the f64 model's values, and a function that counts how
-//! many values are wrong.
+//! many values are wrong. They are chosen so that a thousandth of any number of the parameter table is seen.
 
+use crate::self_test::{GRAZING, SelfTestVector, at_rows, between_rows, evaluate};
 use crate::shader::{FIELDS, cases};
 use crate::text::{fill, literal};
-use crate::{CodegenError, Inputs, self_test};
+use crate::{CodegenError, Inputs};
 use stratiform_quantities::Incidence;
 
-/// Every so many of the vectors of self_test.json is embedded: thin, thick, grazing, at and between the table's angles.
-const STRIDE: usize = 29;
+/// At every row of the table: thin enough for a large c, and thick enough for a small one.
+const AT_ROWS: [f64; 2] = [0.1, 2.0];
+/// Between each two rows.
+const BETWEEN_ROWS: [f64; 1] = [0.5];
+/// Near the horizon.
+const NEAR_HORIZON: [f64; 2] = [1e-2, 40.0];
+/// At the zenith: nothing, thin, thick.
+const LIMITS: [f64; 4] = [0.0, 1e-4, 200.0, 1e4];
+/// In diffuse light: on both sides of where its exponential integral changes its form, and far from it.
+const DIFFUSE: [f64; 5] = [0.0, 0.1, 0.5, 2.0, 200.0];
+
+/// μ_l, none for diffuse light, and τ of every vector; all of them are in self_test.json too.
+fn points(inputs: &Inputs) -> Vec<(Option<f64>, f64)> {
+    let groups = [
+        (at_rows(inputs), &AT_ROWS[..]),
+        (between_rows(inputs), &BETWEEN_ROWS),
+        (GRAZING.to_vec(), &NEAR_HORIZON),
+        (vec![1.0], &LIMITS),
+    ];
+    let beams = groups
+        .iter()
+        .flat_map(|(cosines, taus)| cosines.iter().flat_map(|mu| taus.iter().map(|tau| (Some(*mu), *tau))));
+    beams.chain(DIFFUSE.map(|tau| (None, tau))).collect()
+}
 
 /// The functions of the embedded self-test.
 pub(crate) fn text(inputs: &Inputs) -> Result<String, CodegenError> {
-    let vectors = self_test::vectors(inputs)?;
-    let chosen: Vec<_> = vectors.iter().step_by(STRIDE).chain(vectors.last()).collect();
-    let column = |value: &dyn Fn(&self_test::SelfTestVector) -> String| {
-        cases(&chosen.iter().map(|vector| value(vector)).collect::<Vec<_>>())
-    };
+    let vectors = evaluate(inputs, points(inputs).into_iter())?;
+    let column =
+        |value: &dyn Fn(&SelfTestVector) -> String| cases(&vectors.iter().map(value).collect::<Vec<_>>());
     let cosine = |incidence: Incidence| match incidence {
         Incidence::Beam(mu) => literal(mu.get()),
         Incidence::Diffuse => "-1.0".to_owned(),
     };
-    let fluxes = |vector: &self_test::SelfTestVector| {
-        format!("StratiformFluxes({})", vector.fluxes.map(literal).join(", "))
-    };
+    let fluxes =
+        |vector: &SelfTestVector| format!("StratiformFluxes({})", vector.fluxes.map(literal).join(", "));
     let compare = |field: &&str| format!("wrong += stratiform_wrong(f.{field}, e.{field});");
+    let medium = &inputs.parameters.medium;
     let places = [
-        ("COUNT", chosen.len().to_string()),
+        ("COUNT", vectors.len().to_string()),
         ("MUS", column(&|vector| cosine(vector.mu_l))),
         ("TAUS", column(&|vector| literal(vector.tau))),
         ("FLUXES", column(&fluxes)),
+        ("CONVENTION", medium.extinction_convention.to_string()),
+        ("MEAN_FREE_PATH", literal(1.0 / medium.extinction_per_m)),
         ("COMPARE", FIELDS.iter().map(compare).collect::<Vec<_>>().join("\n        ")),
     ];
     Ok(fill(include_str!("wgsl/embedded_test.wgsl"), &places))

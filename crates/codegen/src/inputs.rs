@@ -44,6 +44,13 @@ pub struct ReferencePoint {
     pub std_error: f64,
 }
 
+/// Parameters with which single precision computes: their products stay finite.
+const SINGLE: Range = Range::closed(-1e9, 1e9);
+/// Extinctions likewise, which it does not lose to 0.
+const EXTINCTION: Range = Range::closed(1e-9, 1e9);
+/// P likewise; a droplet of size parameter 1e5 has 1e10 in its peak.
+const PHASE: Range = Range::closed(0.0, 1e12);
+
 /// Everything that the emitted text depends on.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Inputs {
@@ -63,11 +70,20 @@ impl Inputs {
 
     pub(crate) fn check(&self) -> Result<(), CodegenError> {
         let medium = &self.parameters.medium;
-        Range::above(0.0).check("extinction_per_m", medium.extinction_per_m)?;
+        EXTINCTION.check("extinction_per_m", medium.extinction_per_m)?;
+        EXTINCTION.check("kappa_s", self.parameters.optical.kappa_s)?;
         Range { max_included: false, ..Range::closed(0.0, 1.0) }
             .check("forward_fraction", medium.forward_fraction)?;
         Range::closed(0.0, 180.0).check("theta_f_deg", medium.theta_f_deg)?;
         parameter_grid::<f64>(&self.parameters.optical)?;
+        SINGLE.check("(1 - beta) / beta", 1.0 / self.parameters.optical.beta.value - 1.0)?;
+        for row in &self.parameters.optical.rows {
+            for (name, value) in
+                [("b", &row.b), ("c", &row.c), ("kappa_c", &row.kappa_c), ("t", &row.t), ("r", &row.r)]
+            {
+                SINGLE.check(name, value.emitted)?;
+            }
+        }
         for (table, rows) in
             [("full", &self.phase.full), ("modified", &self.phase.modified), ("squared", &self.phase.squared)]
         {
@@ -95,7 +111,7 @@ fn check_phase(rows: &[PhaseRow]) -> Result<(), String> {
     }
     for row in rows {
         Range::closed(0.0, 180.0).check("theta_deg", row.theta_deg).map_err(|error| error.to_string())?;
-        Range::at_least(0.0).check("p", row.p).map_err(|error| error.to_string())?;
+        PHASE.check("p", row.p).map_err(|error| error.to_string())?;
     }
     match rows.windows(2).find(|pair| pair[1].theta_deg < pair[0].theta_deg) {
         Some(pair) => Err(format!("theta_deg = {} follows {}", pair[1].theta_deg, pair[0].theta_deg)),

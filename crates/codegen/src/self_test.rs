@@ -12,7 +12,7 @@ use stratiform_quantities::Incidence;
 const TAUS: [f64; 12] = [0.0, 1e-8, 1e-6, 1e-4, 1e-2, 0.1, 0.5, 2.0, 8.0, 40.0, 200.0, 1e4];
 
 /// Grazing cosines that lie between the table's last rows.
-const GRAZING: [f64; 3] = [1e-3, 1e-2, 0.1];
+pub(crate) const GRAZING: [f64; 3] = [1e-3, 1e-2, 0.1];
 
 /// One input and what the f64 model gives for it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -46,13 +46,14 @@ fn single(value: f64) -> f64 {
     f64::from(value as f32)
 }
 
-/// Table angles, the middle between each two in μ_l, and grazing ones.
-fn cosines(inputs: &Inputs) -> Vec<f64> {
-    let nodes: Vec<_> =
-        angles(&inputs.parameters.optical).iter().map(|a| cos_degrees(a.theta_l_deg)).collect();
-    let middles = nodes.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
-    let all = nodes.iter().copied().chain(middles).chain(GRAZING);
-    all.map(single).collect()
+/// Cosines of the table's rows.
+pub(crate) fn at_rows(inputs: &Inputs) -> Vec<f64> {
+    angles(&inputs.parameters.optical).iter().map(|a| cos_degrees(a.theta_l_deg)).collect()
+}
+
+/// The middle in μ_l between each two rows.
+pub(crate) fn between_rows(inputs: &Inputs) -> Vec<f64> {
+    at_rows(inputs).windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect()
 }
 
 fn vector(parameters: &Parameters<f64>, mu_l: Incidence, tau: f64) -> Result<SelfTestVector, CodegenError> {
@@ -61,19 +62,24 @@ fn vector(parameters: &Parameters<f64>, mu_l: Incidence, tau: f64) -> Result<Sel
 }
 
 /// Every vector: all thicknesses at every cosine, then in diffuse light.
-pub(crate) fn vectors(inputs: &Inputs) -> Result<Vec<SelfTestVector>, CodegenError> {
+fn vectors(inputs: &Inputs) -> Result<Vec<SelfTestVector>, CodegenError> {
+    let cosines = [at_rows(inputs), between_rows(inputs), GRAZING.to_vec()].concat();
+    let beams = cosines.into_iter().map(Some);
+    evaluate(inputs, beams.chain([None]).flat_map(|mu| TAUS.map(|tau| (mu, tau))))
+}
+
+/// The vectors at pairs of μ_l, none for diffuse light, and τ.
+pub(crate) fn evaluate(
+    inputs: &Inputs,
+    points: impl Iterator<Item = (Option<f64>, f64)>,
+) -> Result<Vec<SelfTestVector>, CodegenError> {
     let grid: ParameterGrid<f64> = parameter_grid(&inputs.parameters.optical)?;
     let diffuse = diffuse_parameters(&inputs.parameters.optical)?;
-    let mut vectors = Vec::new();
-    for mu in cosines(inputs) {
-        for tau in TAUS.map(single) {
-            vectors.push(vector(&grid.at(mu)?, Incidence::beam(mu)?, tau)?);
-        }
-    }
-    for tau in TAUS.map(single) {
-        vectors.push(vector(&diffuse, Incidence::Diffuse, tau)?);
-    }
-    Ok(vectors)
+    let one = |(mu, tau): (Option<f64>, f64)| match mu.map(single) {
+        Some(mu) => vector(&grid.at(mu)?, Incidence::beam(mu)?, single(tau)),
+        None => vector(&diffuse, Incidence::Diffuse, single(tau)),
+    };
+    points.map(one).collect()
 }
 
 /// self_test.json.

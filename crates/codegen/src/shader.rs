@@ -6,6 +6,7 @@ use crate::tables::{angles, diffuse_values};
 use crate::text::{banner, fill, literal};
 use crate::{CodegenError, ErrorCard, Inputs, embedded_test, leave_one_out};
 use std::fmt::Write as _;
+use stratiform_artifact::Flag;
 use stratiform_model::table::cos_degrees;
 use stratiform_model::{Real, Values};
 
@@ -24,18 +25,15 @@ fn header(inputs: &Inputs) -> Result<String, CodegenError> {
     let mut text = format!(
         "//\n\
          // Use        @USE@.\n\
-         // Check      stratiform_self_test() returns the number of wrong values: 0. All its vectors are in self_test.json.\n\
+         // Check      stratiform_self_test() returns the number of wrong values: 0, each held to 2e-5 (0.1 + |value|),\n\
+         //            the error of single precision at most. It sees a thousandth of any number of the table.\n\
          // Units      tau is the extinction optical thickness of the full medium along the slab's normal, tau = kappa H.\n\
          //            mu_l = cos(theta_l), the sun's zenith angle. Fluxes are shares of the flux incident on the slab.\n\
          // Phase      1/2 integral of P over cosTheta is 1; cosTheta = +1 is forward.\n\
-         // Medium     wavelength {} um, single-scattering albedo {}, g {}; modified: theta_f {} deg, P_f {}.\n\
+         {}\
          // Domain     mu_l in [0, 1], tau in [0, 1e6]; fitted over tau {} to {}. Nothing is checked or clamped here.\n\
          //            three_plus are differences and may fall below 0; theta_l = 90 deg is beyond the model's form.\n",
-        medium.wavelength_um,
-        medium.single_scattering_albedo,
-        brief(medium.asymmetry),
-        medium.theta_f_deg,
-        brief(medium.forward_fraction),
+        medium_line(inputs),
         brief(thin),
         brief(thick),
     );
@@ -47,17 +45,31 @@ fn header(inputs: &Inputs) -> Result<String, CodegenError> {
     ];
     let claimed = inputs.parameters.provenance.error_name();
     for (title, cards) in titles.iter().zip(error_card(inputs)?) {
-        push_card(&mut text, &format!("Error against the reference {title}"), &cards, claimed);
+        let sigma = format!("; sigma is the reference's own largest {claimed}");
+        push_card(&mut text, &format!("Error against the reference {title}"), &cards, &sigma);
     }
     let inner = leave_one_out(&inputs.parameters.optical)?;
     push_card(
         &mut text,
         "Interpolation error with every other gap doubled (a row left out at a time)",
         &inner,
-        claimed,
+        "; against the whole table, which is exact here",
     );
     push_flags(&mut text, inputs);
     Ok(text)
+}
+
+/// The medium, for a header.
+pub(crate) fn medium_line(inputs: &Inputs) -> String {
+    let medium = &inputs.parameters.medium;
+    format!(
+        "// Medium     wavelength {} um, single-scattering albedo {}, g {}; modified: theta_f {} deg, P_f {}.\n",
+        medium.wavelength_um,
+        medium.single_scattering_albedo,
+        brief(medium.asymmetry),
+        medium.theta_f_deg,
+        brief(medium.forward_fraction),
+    )
 }
 
 /// Four significant digits.
@@ -69,14 +81,14 @@ fn brief(value: f64) -> String {
     }
 }
 
-fn push_card(text: &mut String, title: &str, cards: &[ErrorCard], claimed: &str) {
+fn push_card(text: &mut String, title: &str, cards: &[ErrorCard], remark: &str) {
     if cards.is_empty() {
         let _ = writeln!(text, "//\n// {title}: no reference values were given.");
         return;
     }
     let _ = writeln!(
         text,
-        "//\n// {title}, absolute; sigma is the reference's own largest {claimed}:\n//   quantity    values     median        95 %       worst       sigma"
+        "//\n// {title}, absolute{remark}:\n//   quantity    values     median        95 %       worst       sigma"
     );
     for card in cards {
         let ErrorCard { quantity, count, median, percentile_95, worst, reference_error } = card;
@@ -89,7 +101,25 @@ fn push_card(text: &mut String, title: &str, cards: &[ErrorCard], claimed: &str)
 
 fn push_flags(text: &mut String, inputs: &Inputs) {
     for row in inputs.parameters.optical.rows.iter().filter(|row| !row.flags.is_empty()) {
-        let _ = writeln!(text, "//\n// Row theta_l = {}: {}.", row.theta_l_deg, row.flag_names());
+        let flags = row.flags.iter().map(|flag| meaning(*flag)).collect::<Vec<_>>().join(", ");
+        let _ = writeln!(text, "//\n// Row theta_l = {}: {flags}.", row.theta_l_deg);
+    }
+}
+
+/// A flag in words.
+fn meaning(flag: Flag) -> &'static str {
+    match flag {
+        Flag::CNotIdentifiable => "b is so near 1 that c has no influence",
+        Flag::BOnBound => "b is on a bound of the fit",
+        Flag::COnBound => "c is on a bound of the fit",
+        Flag::KappaCOnBound => "kappa_c is on a bound of the fit",
+        Flag::TOnBound => "t is on a bound of the fit",
+        Flag::ROnBound => "r is on a bound of the fit",
+        Flag::BetaFixed => "beta is that of the other rows",
+        Flag::NegativeT3Plus => "t_three_plus falls below -1e-3",
+        Flag::NegativeR3Plus => "r_three_plus falls below -1e-3",
+        Flag::OutsideUnitInterval => "some flux leaves [0, 1]",
+        Flag::NotConverged => "the fit did not converge",
     }
 }
 

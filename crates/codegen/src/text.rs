@@ -2,10 +2,19 @@
 
 use crate::Inputs;
 
-/// A number as a WGSL literal: the shortest text that reads back as the same f32.
+/// A number as a WGSL literal: the shortest text that reads back as the same f32. Subnormal ones, which graphics
+/// processors may take for 0, are 0. Inputs are checked to be finite in f32.
 #[expect(clippy::cast_possible_truncation, reason = "shaders compute in single precision")]
 pub(crate) fn literal(value: f64) -> String {
-    format!("{:?}", value as f32)
+    let single = value as f32;
+    format!("{:?}", if single.abs() < f32::MIN_POSITIVE { 0.0 } else { single })
+}
+
+/// Text from a document as part of a comment line: printable ASCII without backslashes, which would end the line or go
+/// on into the next.
+fn comment(text: &str) -> String {
+    let plain = |c: char| if c != '\\' && (c == ' ' || c.is_ascii_graphic()) { c } else { '?' };
+    text.replace("??/", "???").chars().map(plain).collect()
 }
 
 /// The first lines of every emitted shader file.
@@ -20,15 +29,34 @@ pub(crate) fn banner(inputs: &Inputs, content: &str) -> String {
          // Config     {}\n\
          // Seed       {seed}\n\
          // Method     {}\n",
-        provenance.program,
-        provenance.version,
+        comment(&provenance.program),
+        comment(&provenance.version),
         inputs.hash(),
-        provenance.config_hash,
-        provenance.method.replace('\n', " "),
+        comment(&provenance.config_hash),
+        comment(&provenance.method),
     )
 }
 
 /// `text` with every `@NAME@` replaced.
 pub(crate) fn fill(text: &str, places: &[(&str, String)]) -> String {
     places.iter().fold(text.to_owned(), |text, (name, value)| text.replace(&format!("@{name}@"), value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_from_a_document_stays_in_its_comment() {
+        assert_eq!(comment("fit\n}\r\u{2028} κ ??/ \\"), "fit?}?? ? ??? ?");
+    }
+
+    #[test]
+    fn literals_are_read_back_and_are_no_subnormals() {
+        assert_eq!(literal(1e-40), "0.0");
+        assert_eq!(literal(2e-38), "2e-38");
+        for value in [0.1, 1e-7, 4123.591_9, 3e38, -2.5] {
+            assert_eq!(literal(value).parse(), Ok(value as f32));
+        }
+    }
 }

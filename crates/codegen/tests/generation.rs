@@ -60,8 +60,44 @@ fn unusable_inputs_are_refused_by_name() {
     assert!(matches!(refused(|i| i.phase.full.clear()), CodegenError::Phase { table: "full", .. }));
     assert!(matches!(refused(|i| i.phase.squared.truncate(7)), CodegenError::Phase { table: "squared", .. }));
     let negative = refused(|i| i.phase.modified[3].p = -1.0);
-    assert_eq!(negative.to_string(), "phase table `modified`: p = -1 is outside [0, infinity)");
+    assert_eq!(negative.to_string(), "phase table `modified`: p = -1 is outside [0, 1000000000000]");
     assert!(matches!(refused(|i| i.phase.full.swap(4, 5)), CodegenError::Phase { table: "full", .. }));
+}
+
+/// Nothing that single precision would print as `inf` or lose to 0.
+#[test]
+fn numbers_beyond_single_precision_are_refused_by_name() {
+    for (refusal, name) in [
+        (refused(|i| i.parameters.medium.extinction_per_m = 1e39), "extinction_per_m = 1"),
+        (refused(|i| i.parameters.medium.extinction_per_m = 1e-50), "extinction_per_m = 0.0"),
+        (refused(|i| i.parameters.optical.kappa_s = 1e39), "kappa_s = 1"),
+        (refused(|i| i.parameters.optical.beta.value = 1e-60), "beta"),
+        (refused(|i| i.parameters.optical.rows[2].kappa_c.emitted = 1e39), "kappa_c = 1"),
+        (refused(|i| i.parameters.optical.rows[2].c.emitted = f64::INFINITY), "c = inf"),
+        (refused(|i| i.phase.full[3].p = 1e39), "p = 1"),
+        (refused(|i| i.phase.squared[3].p = f64::NAN), "p = NaN"),
+    ] {
+        let message = refusal.to_string();
+        assert!(message.contains(name) && message.contains("outside"), "{name} is not in {message}");
+    }
+}
+
+/// A document's text cannot leave the comments of the files that quote it.
+#[test]
+fn text_of_the_documents_stays_in_comments() {
+    let mut inputs = common::inputs();
+    inputs.parameters.provenance.method = "fit\nplanted;\u{2028}planted; \\".to_owned();
+    inputs.parameters.provenance.config_hash = "x\rplanted; ??/".to_owned();
+    let files = generate(&inputs, &Target::ALL).unwrap();
+    let text = |name: &&str| Target::ALL.iter().filter_map(|t| t.extension()).any(|e| name.ends_with(e));
+    let names: Vec<_> = files.names().filter(|name| name.starts_with("stratiform")).filter(text).collect();
+    assert_eq!(names.len(), 17);
+    for name in names {
+        let text = files.text(name).unwrap();
+        assert!(text.is_ascii() && !text.contains("\\\n") && !text.contains("??/"), "{name}");
+        let head = text.lines().take_while(|line| !line.is_empty());
+        assert!(head.clone().count() > 6 && head.clone().all(|line| line.starts_with("//")), "{name}");
+    }
 }
 
 fn points(parameters: &Parameters<f64>, incidence: Incidence, offset: f64) -> Vec<ReferencePoint> {

@@ -8,11 +8,13 @@
 //! The subset: `const`, `struct`, `fn` with a result; f32, u32, bool and structures of them; `let`, `var`, assignment,
 //! `if`, `for` over a counter, `switch` whose cases return, `return`; calls of functions written above and of a few
 //! built-ins; a structure's constructor only as a whole `return` or `let`; comments on lines of their own. Comments
-//! directly above an item are its documentation. What is outside it is a [`SubsetError`], not a guess.
+//! directly above an item are its documentation. Names carry the prefix `stratiform` outside functions, are none that a
+//! target reserves, and shadow nothing. What is outside it is a [`SubsetError`], not a guess.
 
 mod c_family;
 mod layout;
 mod parse;
+mod reserved;
 mod rust;
 mod scope;
 mod syntax;

@@ -1,7 +1,7 @@
 //! From words to the tree.
 
 use super::SubsetError;
-use super::scope::{BUILT_IN, Scope};
+use super::scope::{BUILT_IN, Scope, is_nameless};
 use super::syntax::{Expr, Function, Item, Named, Statement, Type};
 use super::token::{Token, tokens};
 
@@ -11,9 +11,9 @@ const LEVELS: [&[&str]; 5] =
 
 /// The items of `text`; `externals` are functions that it may call and that stand elsewhere.
 pub(super) fn parse(text: &str, externals: &[(&str, Type)]) -> Result<Vec<Item>, SubsetError> {
-    let mut parser = Parser { tokens: tokens(text)?, at: 0, scope: Scope::default() };
+    let mut parser = Parser { tokens: tokens(text)?, at: 0, scope: Scope::default(), value_at: None };
     for (name, result) in externals {
-        parser.scope.enter(name, &[], result);
+        parser.scope.enter(name, &[], result).map_err(|message| parser.error(message))?;
     }
     let mut items = Vec::new();
     while let Some(token) = parser.peek().cloned() {
@@ -26,6 +26,8 @@ struct Parser {
     tokens: Vec<(usize, Token)>,
     at: usize,
     scope: Scope,
+    /// Where a structure's constructor may stand.
+    value_at: Option<usize>,
 }
 
 impl Parser {
@@ -123,16 +125,16 @@ impl Parser {
             "const" => {
                 let variable = self.named()?;
                 self.expect("=")?;
-                let value = self.expression(0)?;
+                let value = self.whole()?;
                 self.expect(";")?;
-                self.scope.add_global(&variable);
+                self.scope.add_global(&variable).map_err(|message| self.error(message))?;
                 Ok(Item::Const(docs, variable, value))
             }
             "struct" => {
                 let name = self.word()?;
                 self.expect("{")?;
                 let fields = self.named_list("}")?;
-                self.scope.add_struct(&name, &fields);
+                self.scope.add_struct(&name, &fields).map_err(|message| self.error(message))?;
                 Ok(Item::Struct(docs, name, fields))
             }
             "fn" => self.function(docs).map(Item::Function),
@@ -146,7 +148,7 @@ impl Parser {
         let parameters = self.named_list(")")?;
         self.expect("->")?;
         let result = self.kind()?;
-        self.scope.enter(&name, &parameters, &result);
+        self.scope.enter(&name, &parameters, &result).map_err(|message| self.error(message))?;
         let body = self.block()?;
         let early = body.split_last().map_or(&[][..], |(_, before)| before);
         if early.iter().any(|statement| matches!(statement, Statement::Switch { .. })) {
@@ -175,12 +177,15 @@ impl Parser {
         let word = self.word()?;
         let statement = match word.as_str() {
             "let" | "var" => self.declaration(word == "var")?,
-            "return" => Statement::Return(self.expression(0)?),
+            "return" => Statement::Return(self.value()?),
             "if" => return self.condition(),
             "for" => return self.repetition(),
             "switch" => return self.choice(),
             _ => {
                 let (sign, value) = self.assignment()?;
+                if !self.scope.is_variable(&word) {
+                    return Err(self.error(format!("`{word}` is no variable")));
+                }
                 Statement::Assign { name: word, sign, value }
             }
         };
@@ -193,11 +198,11 @@ impl Parser {
         let name = self.word()?;
         let stated = if self.take(":") { Some(self.kind()?) } else { None };
         self.expect("=")?;
-        let value = self.expression(0)?;
+        let value = self.value()?;
         let kind = stated.or_else(|| self.scope.type_of(&value));
         let kind = kind.ok_or_else(|| self.error(format!("the type of `{name}` is not known")))?;
         let variable = Named { name, kind };
-        self.scope.add_local(&variable);
+        self.scope.add_local(&variable, mutable).map_err(|message| self.error(message))?;
         Ok(Statement::Declare { variable, value, mutable })
     }
 
@@ -205,7 +210,7 @@ impl Parser {
         let sign = ["=", "+=", "-=", "*=", "/="].into_iter().find(|sign| self.is(sign));
         let sign = sign.ok_or_else(|| self.error("an assignment is missing"))?;
         self.at += 1;
-        Ok((sign, self.expression(0)?))
+        Ok((sign, self.whole()?))
     }
 
     fn condition(&mut self) -> Result<Statement, SubsetError> {
@@ -226,7 +231,7 @@ impl Parser {
 
     fn in_brackets(&mut self) -> Result<Expr, SubsetError> {
         self.expect("(")?;
-        let expr = self.expression(0)?;
+        let expr = self.whole()?;
         self.expect(")")?;
         Ok(expr)
     }
@@ -241,7 +246,7 @@ impl Parser {
             return Err(self.error("a loop declares its counter"));
         };
         self.expect(";")?;
-        let condition = self.expression(0)?;
+        let condition = self.whole()?;
         self.expect(";")?;
         if self.word()? != counter.name {
             return Err(self.error("a loop changes its counter only"));
@@ -253,7 +258,7 @@ impl Parser {
 
     /// `selector { case 0u: { return …; } … default: { return …; } }`
     fn choice(&mut self) -> Result<Statement, SubsetError> {
-        let selector = self.expression(0)?;
+        let selector = self.whole()?;
         self.expect("{")?;
         let mut cases = Vec::new();
         while !self.take("}") {
@@ -276,25 +281,76 @@ impl Parser {
         }
     }
 
+    /// What is returned or declared: it alone may be a structure's constructor.
+    fn value(&mut self) -> Result<Expr, SubsetError> {
+        self.value_at = Some(self.at);
+        self.whole()
+    }
+
+    /// An expression; brackets around all of it are dropped.
+    fn whole(&mut self) -> Result<Expr, SubsetError> {
+        let mut expr = self.expression(0)?;
+        while let Expr::Group(inner) = expr {
+            expr = *inner;
+        }
+        Ok(expr)
+    }
+
     fn expression(&mut self, level: usize) -> Result<Expr, SubsetError> {
         let Some(signs) = LEVELS.get(level) else { return self.unary() };
         let mut left = self.expression(level + 1)?;
         while let Some(sign) = signs.iter().find(|sign| self.is(sign)) {
             self.at += 1;
             let right = self.expression(level + 1)?;
+            self.operands(sign, &left, &right)?;
             left = Expr::Binary(sign, Box::new(left), Box::new(right));
         }
         Ok(left)
     }
 
+    /// That every target reads `left sign right` as it stands there.
+    fn operands(&self, sign: &str, left: &Expr, right: &Expr) -> Result<(), SubsetError> {
+        let kinds = [left, right].map(|operand| self.scope.type_of(operand));
+        let logical = |expr: &Expr| matches!(expr, Expr::Binary("&&" | "||", ..));
+        let comparison = |expr: &Expr| matches!(expr, Expr::Binary(s, ..) if LEVELS[2].contains(s));
+        let message = match (sign, &kinds) {
+            (_, [a, b]) if a != b => "operands have different types",
+            (_, [Some(Type::Struct(_)), _]) => "a structure is no operand",
+            ("%", [Some(Type::F32), _]) => "`%` is for u32: targets differ on f32",
+            ("||", _) if [left, right].iter().any(|e| matches!(e, Expr::Binary("&&", ..))) => {
+                "`&&` and `||` need brackets between them"
+            }
+            ("&&" | "||", [Some(Type::Bool), _]) => return Ok(()),
+            ("&&" | "||", _) => "`&&` and `||` are for bool",
+            _ if comparison(left) || logical(left) => "comparisons are not chained",
+            _ => return Ok(()),
+        };
+        Err(self.error(message))
+    }
+
     fn unary(&mut self) -> Result<Expr, SubsetError> {
         for sign in ["-", "!"] {
             if self.take(sign) {
-                return Ok(Expr::Unary(sign, Box::new(self.unary()?)));
+                let inner = self.unary()?;
+                return match (sign, self.scope.type_of(&inner)) {
+                    _ if matches!(inner, Expr::Unary(..)) => {
+                        Err(self.error("two signs need brackets between them"))
+                    }
+                    ("-", Some(Type::F32)) | ("!", Some(Type::Bool)) => {
+                        Ok(Expr::Unary(sign, Box::new(inner)))
+                    }
+                    _ => {
+                        Err(self
+                            .error(format!("`{sign}` is for {}", if sign == "-" { "f32" } else { "bool" })))
+                    }
+                };
             }
         }
         let mut expr = self.primary()?;
         while self.take(".") {
+            if matches!(&expr, Expr::Call(name, _) if self.scope.is_struct(name)) {
+                return Err(self.error("a structure has a name before its fields have"));
+            }
             expr = Expr::Field(Box::new(expr), self.word()?);
         }
         Ok(expr)
@@ -302,13 +358,13 @@ impl Parser {
 
     fn primary(&mut self) -> Result<Expr, SubsetError> {
         if self.is("(") {
-            return Ok(Expr::Group(Box::new(self.in_brackets()?)));
+            let inner = self.in_brackets()?;
+            let has_brackets = matches!(&inner, Expr::Call(name, _) if name == "select");
+            return Ok(if has_brackets { inner } else { Expr::Group(Box::new(inner)) });
         }
         if let Some(Token::Number(text)) = self.peek() {
-            let number = match text.strip_suffix('u') {
-                Some(digits) => Expr::Number(digits.to_owned(), Type::U32),
-                None => Expr::Number(text.clone(), Type::F32),
-            };
+            let number =
+                number(text).ok_or_else(|| self.error(format!("`{text}` is no number of the subset")))?;
             self.at += 1;
             return Ok(number);
         }
@@ -324,15 +380,19 @@ impl Parser {
     }
 
     fn call(&mut self, name: String) -> Result<Expr, SubsetError> {
+        if self.scope.is_struct(&name) && self.value_at.take() != Some(self.at - 2) {
+            return Err(self.error(format!("`{name}(…)` is a whole `return` or `let` only")));
+        }
         let mut arguments = Vec::new();
         while !self.take(")") {
-            arguments.push(self.expression(0)?);
+            arguments.push(self.whole()?);
             if !self.take(",") {
                 self.expect(")")?;
                 break;
             }
         }
         let known = BUILT_IN.contains(&name.as_str());
+        self.arguments(&name, &arguments)?;
         let expr = Expr::Call(name, arguments);
         match self.scope.type_of(&expr) {
             Some(_) => Ok(expr),
@@ -340,4 +400,36 @@ impl Parser {
             None => Err(self.error("a function is called before it is written")),
         }
     }
+
+    /// That the arguments of a built-in function or a cast are such as every target takes.
+    fn arguments(&self, name: &str, arguments: &[Expr]) -> Result<(), SubsetError> {
+        let kinds: Vec<_> = arguments.iter().map(|argument| self.scope.type_of(argument)).collect();
+        let first = arguments.first().filter(|first| !matches!(first, Expr::Number(..)));
+        let message = match name {
+            "f32" | "u32" if !matches!(kinds[..], [Some(Type::F32 | Type::U32)]) => "takes one number",
+            "select" if !matches!(&kinds[..], [no, yes, Some(Type::Bool)] if no == yes) => {
+                "takes two alike and a bool"
+            }
+            "f32" | "u32" | "select" => return Ok(()),
+            _ if !BUILT_IN.contains(&name) => return Ok(()),
+            _ if kinds.iter().any(|kind| *kind != Some(Type::F32)) => "takes f32",
+            _ if first.is_some_and(is_nameless) => "of numbers alone: write its value",
+            _ => return Ok(()),
+        };
+        Err(self.error(format!("`{name}` {message}")))
+    }
+}
+
+/// A number that every target reads alike: `12u`; or `1.5`, `1e-7`, finite in single precision and not lost to 0.
+fn number(text: &str) -> Option<Expr> {
+    if let Some(digits) = text.strip_suffix('u') {
+        let octal = digits.len() > 1 && digits.starts_with('0');
+        let plain = digits.parse::<u32>().is_ok() && !octal;
+        return plain.then(|| Expr::Number(digits.to_owned(), Type::U32));
+    }
+    let value = text.parse::<f32>().ok().filter(|value| value.is_finite())?;
+    let mantissa = text.split('e').next()?;
+    let lost = value == 0.0 && mantissa.contains(|c: char| ('1'..='9').contains(&c));
+    let float = text.contains(['.', 'e']) && !mantissa.ends_with('.');
+    (float && !lost).then(|| Expr::Number(text.to_owned(), Type::F32))
 }

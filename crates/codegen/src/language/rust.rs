@@ -152,7 +152,7 @@ impl Printer<'_> {
             },
             Expr::Call(name, arguments) if name.starts_with("stratiform_") => Broken {
                 open: format!("{name}("),
-                parts: arguments.iter().map(|argument| self.expr(argument)).collect(),
+                parts: arguments.iter().map(|argument| self.bare(argument)).collect(),
                 joint: ", ",
                 close: ")".to_owned(),
             },
@@ -180,7 +180,7 @@ impl Printer<'_> {
     fn fields(&self, structure: &str, arguments: &[Expr]) -> Vec<String> {
         let pair = |(field, value): (&Named, &Expr)| match value {
             Expr::Name(name) if *name == field.name => name.clone(),
-            other => format!("{}: {}", field.name, self.expr(other)),
+            other => format!("{}: {}", field.name, self.bare(other)),
         };
         self.structs[structure].iter().zip(arguments).map(pair).collect()
     }
@@ -190,7 +190,7 @@ impl Printer<'_> {
         let text = self.expr(expr);
         let choice = text.strip_prefix("(if ").and_then(|rest| rest.strip_suffix(')'));
         match (expr, choice) {
-            (Expr::Call(..), Some(choice)) => format!("if {choice}"),
+            (Expr::Call(name, _), Some(choice)) if name == "select" => format!("if {choice}"),
             _ => text,
         }
     }
@@ -200,13 +200,14 @@ impl Printer<'_> {
             Expr::Number(digits, _) | Expr::Name(digits) => digits.clone(),
             Expr::Field(inner, field) => format!("{}.{field}", self.expr(inner)),
             Expr::Group(inner) => format!("({})", self.expr(inner)),
-            Expr::Unary(sign, inner) => format!("{sign}{}", self.expr(inner)),
+            Expr::Unary(sign, inner) => format!("{sign}{}", self.part(inner)),
             Expr::Binary(sign, left, right) => format!("{} {sign} {}", self.part(left), self.part(right)),
             Expr::Call(name, arguments) => self.call(name, arguments),
         }
     }
 
-    /// Part of a sum or a comparison: `x as f32 < y` would be read as a type's arguments.
+    /// Part of a sum or a comparison, or after a sign: `as` binds looser than a sign, and `x as f32 < y` would be read as
+    /// a type's arguments.
     fn part(&self, expr: &Expr) -> String {
         match expr {
             Expr::Call(name, _) if name == "f32" || name == "u32" => format!("({})", self.expr(expr)),
@@ -218,7 +219,7 @@ impl Printer<'_> {
         if self.structs.contains_key(name) {
             return format!("{name} {{ {} }}", self.fields(name, arguments).join(", "));
         }
-        let list: Vec<_> = arguments.iter().map(|argument| self.expr(argument)).collect();
+        let list: Vec<_> = arguments.iter().map(|argument| self.bare(argument)).collect();
         match (name, arguments, list.as_slice()) {
             ("select", [Expr::Number(no, Type::U32), Expr::Number(yes, _), _], [.., condition])
                 if (no.as_str(), yes.as_str()) == ("0", "1") =>
@@ -240,7 +241,8 @@ impl Printer<'_> {
     /// What a method is called on: in brackets unless it is one word.
     fn operand(&self, expr: &Expr) -> String {
         match expr {
-            Expr::Number(digits, Type::F32) => format!("{digits}_f32"),
+            Expr::Number(digits, number) => format!("{digits}_{}", kind(number)),
+            Expr::Call(name, _) if name == "f32" || name == "u32" => self.part(expr),
             Expr::Name(_) | Expr::Field(..) | Expr::Group(_) | Expr::Call(..) => self.expr(expr),
             other => format!("({})", self.expr(other)),
         }

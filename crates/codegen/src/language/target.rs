@@ -71,7 +71,7 @@ impl Target {
             Self::Glsl300Es => "paste it below #version 300 es",
             Self::Hlsl => "include or paste it; shader model 5.0 or later",
             Self::Msl => "include or paste it; Metal 2.0 or later",
-            Self::C => "include it; C99 or C++11 and later",
+            Self::C => "include it, in as many places as you like; C99 or C++11 and later; link with -lm",
             Self::Rust => "make it a module of your crate; edition 2021 or later",
             Self::Spirv => "",
         }
@@ -151,14 +151,14 @@ pub(crate) fn translate(library: &Library<'_>, target: Target) -> Result<Option<
     };
     let glue = if target == Target::Msl { String::new() } else { glue_text };
     let guard = format!("{}_H", library.name.to_uppercase());
+    let guarded = |includes: &str| {
+        let end = if target == Target::C { format!("/* {guard} */") } else { format!("// {guard}") };
+        (format!("#ifndef {guard}\n#define {guard}\n\n{includes}"), format!("\n#endif {end}\n"))
+    };
     let (before, after) = match target {
-        Target::C => (
-            format!(
-                "#ifndef {guard}\n#define {guard}\n\n#include <math.h>\n#include <stdbool.h>\n#include <stdint.h>\n\n"
-            ),
-            format!("\n#endif /* {guard} */\n"),
-        ),
-        Target::Msl => ("#include <metal_stdlib>\nusing namespace metal;\n\n".to_owned(), String::new()),
+        Target::C => guarded("#include <math.h>\n#include <stdbool.h>\n#include <stdint.h>\n\n"),
+        Target::Msl => guarded("#include <metal_stdlib>\nusing namespace metal;\n\n"),
+        Target::Hlsl => guarded(""),
         Target::Glsl300Es => ("precision highp float;\nprecision highp int;\n\n".to_owned(), String::new()),
         Target::Rust => (RUST_ALLOWED.to_owned(), String::new()),
         _ => Default::default(),

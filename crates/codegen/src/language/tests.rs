@@ -86,3 +86,92 @@ fn what_is_outside_the_subset_is_refused_with_its_line() {
         assert!((2..=3).contains(&error.line), "{error}");
     }
 }
+
+/// An expression of x: f32 and i: u32 in every language's own words; each is compiled and run by the tests of languages.
+#[test]
+fn operators_bind_as_they_are_written() {
+    let rust = |value: &str| {
+        let text = format!("fn stratiform_f(x: f32, i: u32) -> f32 {{\n    return {value};\n}}\n");
+        let text = printed(&text, Target::Rust).unwrap();
+        text.lines().rev().nth(1).unwrap().trim().to_owned()
+    };
+    assert_eq!(rust("-f32(i)"), "-(i as f32)");
+    assert_eq!(rust("min(f32(i), x)"), "(i as f32).min(x)");
+    assert_eq!(rust("max(0.5, select(x, 1.0, i < 2u))"), "0.5_f32.max(if i < 2 { 1.0 } else { x })");
+    assert_eq!(
+        rust("max(select(x, 1.0, i < 2u), select(x, 1.0, i < 3u))"),
+        "(if i < 2 { 1.0 } else { x }).max(if i < 3 { 1.0 } else { x })"
+    );
+    assert_eq!(rust("(x - (x - x))"), "x - (x - x)");
+    assert_eq!(rust("exp((x + x))"), "(x + x).exp()");
+    let c = |value: &str| {
+        let text = format!("fn stratiform_f(x: f32, i: u32) -> f32 {{\n    return {value};\n}}\n");
+        let text = printed(&text, Target::C).unwrap();
+        text.lines().find(|line| line.contains("return")).unwrap().trim().to_owned()
+    };
+    assert_eq!(c("-f32(i + 1u) * x"), "return -(float)(i + 1u) * x;");
+    assert_eq!(c("x - (x - x)"), "return x - (x - x);");
+    assert_eq!(c("x - (select(x, 1.0, i < 2u)) / x"), "return x - (i < 2u ? 1.0f : x) / x;");
+    assert_eq!(c("-(-x)"), "return -(-x);");
+}
+
+#[test]
+fn what_targets_read_differently_is_refused() {
+    let value = |value: &str| format!("fn stratiform_f(x: f32, i: u32) -> f32 {{\n    return {value};\n}}\n");
+    for (text, message) in [
+        ("x % 2.0", "`%` is for u32"),
+        ("select(x, 1.0, x < 1.0 == (i < 2u))", "not chained"),
+        ("select(x, 1.0, x < 1.0 && i < 2u || i < 3u)", "need brackets"),
+        ("--x", "two signs"),
+        ("x + i", "different types"),
+        ("x + 1", "no number"),
+        ("1.", "no number"),
+        ("1e39", "no number"),
+        ("1e-60", "no number"),
+        ("f32(010u)", "no number"),
+        ("f32(4294967296u)", "no number"),
+        ("inf", "before it is declared"),
+        ("NaN", "before it is declared"),
+        ("exp(1.0 - 2.0)", "numbers alone"),
+        ("f32(min(i, 2u))", "takes f32"),
+        ("f32(x < 1.0)", "takes one number"),
+        ("-i", "is for f32"),
+    ] {
+        let error = printed(&value(text), Target::C).unwrap_err();
+        assert!(error.message.contains(message), "{text}: {error}");
+    }
+    let structure = "struct StratiformS {\n    a: f32,\n}\nfn stratiform_s(s: StratiformS) -> f32 {\n    return s.a;\n}\n";
+    for text in ["stratiform_s(StratiformS(x))", "StratiformS(x).a"] {
+        let error = printed(&(structure.to_owned() + &value(text)), Target::Hlsl).unwrap_err();
+        assert!(
+            error.message.contains("whole `return`") || error.message.contains("a name"),
+            "{text}: {error}"
+        );
+    }
+}
+
+#[test]
+fn names_that_mean_something_else_are_refused() {
+    let local =
+        |name: &str| format!("fn stratiform_f(x: f32) -> f32 {{\n    let {name} = x;\n    return x;\n}}\n");
+    let words = [
+        "half", "sample", "near", "min", "loop", "register", "yield", "point", "patch", "kernel", "typename",
+    ];
+    for name in
+        words.iter().chain(&["result", "_x", "a__b", "gl_x", "restrict", "linear", "I", "y1", "exp", "x"])
+    {
+        let error = printed(&local(name), Target::C).unwrap_err();
+        assert!(error.message.contains(&format!("`{name}`")), "{name}: {error}");
+    }
+    for text in [
+        "const stratiform_f: f32 = 1.0;\nfn stratiform_f(x: f32) -> f32 {\n    return x;\n}\n",
+        "fn unprefixed(x: f32) -> f32 {\n    return x;\n}\n",
+        "fn stratiform_f(half: f32) -> f32 {\n    return half;\n}\n",
+        "struct StratiformS {\n    near: f32,\n}\n",
+        "fn stratiform_f(x: f32) -> f32 {\n    let y = x;\n    y = 2.0;\n    return y;\n}\n",
+        "// Ends in \\\nfn stratiform_f(x: f32) -> f32 {\n    return x;\n}\n",
+        "// κ\nfn stratiform_f(x: f32) -> f32 {\n    return x;\n}\n",
+    ] {
+        assert!(printed(text, Target::C).is_err(), "{text}");
+    }
+}

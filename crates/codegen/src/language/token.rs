@@ -32,12 +32,26 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(usize, Token)>, SubsetError> {
             found.push((i + 1, Token::Blank));
         } else if let Some(comment) = trimmed.strip_prefix("//") {
             let comment = comment.strip_prefix(' ').unwrap_or(comment);
+            if let Some(fault) = comment_fault(comment) {
+                return Err(SubsetError::new(i + 1, format!("a comment {fault}")));
+            }
             found.push((i + 1, Token::Comment(comment.to_owned())));
         } else {
             words(trimmed, i + 1, &mut found)?;
         }
     }
     Ok(found)
+}
+
+/// What in a comment some target would read as more than a comment.
+fn comment_fault(comment: &str) -> Option<&'static str> {
+    if comment.ends_with('\\') || comment.contains("??/") {
+        Some("that ends in a backslash goes on in C")
+    } else if !comment.chars().all(|c| c == ' ' || c.is_ascii_graphic()) {
+        Some("holds what is not ASCII")
+    } else {
+        None
+    }
 }
 
 fn words(mut rest: &str, line: usize, found: &mut Vec<(usize, Token)>) -> Result<(), SubsetError> {

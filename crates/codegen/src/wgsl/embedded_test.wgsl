@@ -1,6 +1,6 @@
 // ---- self-test ---------------------------------------------------------------------------------------------------
 
-// Vectors of the self-test.
+// Vectors of the self-test: thin, thick and grazing, at and between the table's angles, diffuse.
 const STRATIFORM_SELF_TEST_COUNT: u32 = @COUNT@u;
 
 // mu_l of vector i; -1 stands for diffuse light.
@@ -41,7 +41,7 @@ fn stratiform_self_test_fluxes(i: u32) -> StratiformFluxes {
 
 // How many of the self-test's values are wrong: 0 if this file works as its author saw it work.
 fn stratiform_self_test() -> u32 {
-    var wrong = 0u;
+    var wrong = stratiform_wrong(stratiform_tau_from_metres_@CONVENTION@(@MEAN_FREE_PATH@), 1.0);
     for (var i = 0u; i < STRATIFORM_SELF_TEST_COUNT; i += 1u) {
         let f = stratiform_self_test_fluxes(i);
         let e = stratiform_self_test_expected(i);
