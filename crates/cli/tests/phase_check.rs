@@ -126,7 +126,7 @@ fn bad_input_is_refused() {
     ] {
         fs::write(path.join(name), text).unwrap();
     }
-    let cases: [(&[&str], &str); 14] = [
+    let cases: [(&[&str], &str); 15] = [
         (&["nan.csv"], "nan.csv:3: the value NaN is outside [0, infinity)"),
         (&["empty.csv"], "empty.csv: the file is empty"),
         (&["short.csv"], "short.csv: 1 rows of numbers are no phase table"),
@@ -137,6 +137,7 @@ fn bad_input_is_refused() {
         (&["alone.toml"], "alone.toml: constants can be held against Mie only"),
         (&["kappa.toml", "--r-eff", "7", "--gamma", "2", "--wavelength", "0.55"], "needs --n0"),
         (&["--hg", "1.5"], "--hg 1.5: g = 1.5 is outside (-1, 1)"),
+        (&["--hg", "0.9999"], "--hg 0.9999: phase function: too sharp to be looked at in 4096 angles"),
         (&["--two-lobe", "0.5,0.5"], "--two-lobe: 3 numbers are needed"),
         (&["--hg", "0.5", "--wavelength", "0.55"], "--wavelength needs --config or --r-eff and --gamma"),
         (&["--hg", "0.5", "--theta-f", "0"], "theta_f_deg = 0 is outside (0, 180)"),

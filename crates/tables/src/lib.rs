@@ -10,6 +10,7 @@ pub mod peer;
 pub mod read;
 pub mod sampled;
 pub mod set;
+mod tridiagonal;
 pub mod write;
 
 pub use error::TablesError;

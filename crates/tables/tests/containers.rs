@@ -175,6 +175,21 @@ fn texels_out_of_domain_are_refused() {
     }
 }
 
+/// A function whose colour at 0° is that of a spectral line (0.5325 µm among 0.45 and 0.65): negative red, which no phase
+/// function may have.
+#[test]
+fn colours_outside_the_gamut_are_refused_with_their_angle() {
+    let hg = containers_common::henyey_greenstein;
+    let grey = set([0.5, 0.5, 0.5, 0.5].map(hg).to_vec());
+    assert!(grey.linear_srgb().is_ok());
+    let green = set([0.0, 0.0, 0.9, 0.0].map(hg).to_vec());
+    let error = green.linear_srgb().unwrap_err().to_string();
+    assert!(error.starts_with("channel of linear sRGB at theta_deg = 0 = -"), "{error}");
+    assert!(error.ends_with("is outside [0, infinity)"), "{error}");
+    let two = set([0.5, 0.6].map(hg).to_vec()).linear_srgb().unwrap_err().to_string();
+    assert_eq!(two, "wavelengths of a colour = 2 is outside [3, infinity)");
+}
+
 #[test]
 fn values_that_a_container_cannot_hold_are_refused() {
     let sampled = three().sample(64).unwrap();

@@ -56,12 +56,16 @@ fn forward_peak_fogbow_and_glory_are_resolved() {
     }
 }
 
-/// Why not point samples: at every count the scaled samples send twice and more of the light elsewhere.
+/// Why not point samples: their integral is 3 % off at 64 texels; scaled, at every count the scaled samples send twice and more of the light elsewhere.
 #[test]
 fn least_squares_are_nearer_than_point_samples() {
     for texels in [64, 128, 256, 1024] {
         let samples = Card::new(&cloud(), &point_samples(&cloud(), texels)).unwrap();
         let fitted = card(&cloud(), texels);
+        let texels_only: Vec<f64> =
+            (0..texels).map(|i| cloud().at(theta_deg(i, texels).to_radians())).collect();
+        let off = (Card::new(&cloud(), &texels_only).unwrap().integral - 1.0).abs();
+        assert!(texels != 64 || (off - 0.03).abs() < 0.01, "{off}");
         assert!(samples.total_variation > 2.0 * fitted.total_variation, "{texels}: {samples:?} {fitted:?}");
         assert!(samples.largest_error > 1.2 * fitted.largest_error, "{texels}");
         assert!(samples.asymmetry_error.abs() > 10.0 * fitted.asymmetry_error.abs(), "{texels}");

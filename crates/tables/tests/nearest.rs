@@ -63,7 +63,7 @@ fn distances_are_integrals_over_the_sphere() {
     let measured = measure(&table_of(&a), b, 5.0).unwrap();
     assert!((measured.total_variation - off).abs() < 1e-5, "{} {off}", measured.total_variation);
     assert!((measured.log_rms - square.sqrt()).abs() < 1e-4, "{} {}", measured.log_rms, square.sqrt());
-    assert!((measured.forward_ratio - other.value(0.0) / a.value(0.0)).abs() < 1e-3);
+    assert!((measured.forward_ratio.unwrap() - other.value(0.0) / a.value(0.0)).abs() < 1e-3);
     assert_eq!(measured.fogbow_ratio, None, "a Henyey-Greenstein function has no fogbow");
 }
 
@@ -94,7 +94,10 @@ fn the_published_claims_hold_for_the_papers_cloud() {
     assert!(closed[1].total_variation > 0.1 && closed[1].diameter_um == Some(14.0), "{:?}", closed[1]);
     let by_g = row(&found, "henyey-greenstein", "asymmetry");
     assert!(by_g.asymmetry_error.abs() < 1e-12 && by_g.forward_fraction_error < -0.3, "{by_g:?}");
-    assert!(found.rows.iter().all(|row| row.glory_ratio < 0.7), "no analytic function has the glory");
+    assert!(
+        found.rows.iter().all(|row| row.glory_ratio.unwrap() < 0.7),
+        "no analytic function has the glory"
+    );
 }
 
 /// The closed form's own function is found at its own diameter.
@@ -126,6 +129,15 @@ fn the_blend_is_a_phase_function() {
     {
         assert!(refused.phase().is_err());
     }
+}
+
+/// Where the table is 0 there is no ratio: the row is written all the same.
+#[test]
+fn dark_ends_have_no_ratio() {
+    let dark_ends = PhaseTable::new(vec![0.0, 90.0, 180.0], vec![0.0, 1.0, 0.0], Norm::Any).unwrap();
+    let found = nearest(&dark_ends, 5.0, None).unwrap();
+    assert!(found.rows.iter().all(|row| row.forward_ratio.is_none() && row.glory_ratio.is_none()));
+    assert!(found.to_csv().is_ok() && found.to_json().is_ok());
 }
 
 #[test]

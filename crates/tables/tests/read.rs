@@ -55,6 +55,8 @@ fn separators_headers_and_comments_do_not_matter() {
     let texts = [
         lines("theta_deg,p\n", |d| format!("{d},{}", p(d))),
         lines("", |d| format!("{d};{}", p(d))),
+        lines("theta_deg;p\n", |d| format!("{d};{}", p(d)).replace('.', ",")),
+        lines("theta_deg;p\r\n", |d| format!("{d};{}\r", p(d))),
         lines("# a comment\n# theta  p11\n\n", |d| format!("  {d}\t{:e}", p(d))),
         lines("\u{feff}Angle (deg)\tP11\tP12\n", |d| format!("{d}\t{}\t0.1", p(d))),
         lines("! from Fortran\n", |d| format!("{d}.  {:.6}", p(d)).replace('E', "D")) + "! end\n",
@@ -63,7 +65,7 @@ fn separators_headers_and_comments_do_not_matter() {
     for text in &texts {
         assert_is_the_table(&read_text(text).unwrap());
     }
-    assert_eq!(read_text(&texts[3]).unwrap().left_out, ["P12"]);
+    assert_eq!(read_text(&texts[5]).unwrap().left_out, ["P12"]);
 }
 
 /// SHDOM's plotscattab: comments with `!`, the cosine beside the angle, one column per effective radius.
@@ -238,6 +240,32 @@ fn what_is_no_table_is_refused_with_its_line() {
     let column = Choice { column: Some("q".to_owned()), ..Choice::default() };
     let missing = read_with(lines("theta,p\n", |d| format!("{d},1")).as_bytes(), &column).unwrap_err();
     assert_eq!(missing, "FILE: no column `q`; there are theta, p");
+    let crowded = read_text("0,1\n-0.0005,1\n90,1\n180,1\n").unwrap_err();
+    assert!(crowded.starts_with("FILE:"), "{crowded}");
+    let crowded = read_text("-0.0005,1\n0,1\n90,1\n180,1\n").unwrap_err();
+    assert_eq!(crowded, "FILE: two rows stand at 0 degrees");
+}
+
+/// What was asked for and is not there is no reason to take something else.
+#[test]
+fn a_choice_that_the_file_does_not_offer_is_refused() {
+    let columns = lines("theta,p\n", |d| format!("{d},1"));
+    let wavelengths = lines("theta,wavelength,p\n", |d| format!("{d},0.55,1"));
+    let listing = "10.0 1.0 1.0 1 Nleg\n1 0.3\n".to_owned();
+    let endless = format!("10.0 1.0 1.0 {} Nleg\n1\n", usize::MAX);
+    let wavelength = Choice { wavelength: Some(0.5), ..Choice::default() };
+    let radius = Choice { effective_radius: Some(7.0), ..Choice::default() };
+    let cases = [
+        (&columns, &wavelength, "FILE: no wavelength 0.5: no column is named so"),
+        (&columns, &radius, "FILE: no effective radius 7: these are no Legendre coefficients"),
+        (&wavelengths, &wavelength, "FILE: no wavelength 0.5; there are 0.55"),
+        (&listing, &radius, "FILE: no effective radius 7; there are 10"),
+        (&listing, &wavelength, "FILE: Legendre coefficients have neither columns nor wavelengths to choose"),
+        (&endless, &Choice::default(), "FILE:1: Nleg = 18446744073709551615 is above 100000"),
+    ];
+    for (text, choice, expected) in cases {
+        assert_eq!(read_with(text.as_bytes(), choice).unwrap_err(), expected);
+    }
 }
 
 #[test]

@@ -37,6 +37,11 @@ pub enum Format {
 impl Format {
     /// What is written unless asked otherwise: the containers, no other program's own files.
     const CONTAINERS: [Self; 6] = [Self::Csv, Self::Json, Self::Npz, Self::Exr, Self::Ktx2F32, Self::Ktx2F16];
+
+    /// Whether it is another program's own.
+    pub fn is_peer(self) -> bool {
+        !Self::CONTAINERS.contains(&self)
+    }
 }
 
 /// `stratiform export`.

@@ -8,6 +8,7 @@ use crate::{CliError, pipeline, progress};
 use serde::Serialize;
 use stratiform_artifact::{create_folder, write_atomic};
 use stratiform_tables::TablesError;
+use stratiform_tables::colour::check_wavelengths;
 use stratiform_tables::parameters::ParameterTexels;
 use stratiform_tables::peer::{NamedFile, Program};
 use stratiform_tables::sampled::TEXELS;
@@ -90,6 +91,7 @@ fn source(args: &ExportArgs, talk: Talk) -> Result<Source, CliError> {
     let config = Config::load(&args.config)?;
     // Before the optics, which may take long.
     TEXELS.check("texels", args.texels as f64)?;
+    check_colour(args, &config)?;
     let parameters = accepted_parameters(&config, &args.config)?;
     if parameters.is_none() {
         talk.say("no accepted parameters of this config: phase functions only");
@@ -102,6 +104,25 @@ fn source(args: &ExportArgs, talk: Talk) -> Result<Source, CliError> {
     let colour = colour.map(|set| Phase::new("phase-srgb", set?, args.texels)).transpose();
     let spectral = Phase::new("phase", spectral, args.texels).map_err(pipeline::input_error)?;
     Ok(Source { spectral, colour: colour.map_err(pipeline::input_error)?, parameters })
+}
+
+/// Whether the wavelengths have the colour that is asked for, and a file to hold it.
+fn check_colour(args: &ExportArgs, config: &Config) -> Result<(), CliError> {
+    if args.srgb && args.formats.iter().all(|format| format.is_peer()) {
+        let message =
+            "--srgb: none of the formats asked for holds it (csv, json, npz, exr, ktx2-32, ktx2-16 do)";
+        return Err(CliError::Input(message.to_owned()));
+    }
+    let mut wavelengths = config.optics.wavelengths_um.clone();
+    wavelengths.sort_by(f64::total_cmp);
+    let check = |what: &str| check_wavelengths(&wavelengths).map_err(|e| pipeline::input_error(e).at(what));
+    if args.srgb {
+        check("--srgb")?;
+    }
+    if args.formats.contains(&Format::Bevy) {
+        check("--formats bevy")?;
+    }
+    Ok(())
 }
 
 /// The files of one format.

@@ -46,8 +46,8 @@ impl SrgbPhase {
 /// # Errors
 /// [`TablesError::Domain`] for fewer than three wavelengths, one outside \[0.36, 0.83\] µm, or one not above the one before.
 pub fn srgb_phase(spectrum: &[(f64, PhaseTable)]) -> Result<SrgbPhase, TablesError> {
-    check(spectrum)?;
     let wavelengths: Vec<f64> = spectrum.iter().map(|(wavelength, _)| *wavelength).collect();
+    check_wavelengths(&wavelengths)?;
     let weights = weights(&wavelengths);
     let nodes = common_nodes(spectrum);
     let values: Vec<Vec<f64>> = spectrum.iter().map(|(_, table)| at_nodes(table, &nodes)).collect();
@@ -55,10 +55,14 @@ pub fn srgb_phase(spectrum: &[(f64, PhaseTable)]) -> Result<SrgbPhase, TablesErr
     Ok(SrgbPhase { theta_deg: nodes.iter().map(|node| node.theta_deg).collect(), rgb })
 }
 
-fn check(spectrum: &[(f64, PhaseTable)]) -> Result<(), TablesError> {
-    COUNT.check("wavelengths of a colour", spectrum.len() as f64)?;
+/// Whether phase functions at `wavelengths_um` have a colour.
+///
+/// # Errors
+/// Those of [`srgb_phase`].
+pub fn check_wavelengths(wavelengths_um: &[f64]) -> Result<(), TablesError> {
+    COUNT.check("wavelengths of a colour", wavelengths_um.len() as f64)?;
     let mut last = f64::NEG_INFINITY;
-    for (wavelength, _) in spectrum {
+    for wavelength in wavelengths_um {
         VISIBLE_UM.check("wavelength_um", *wavelength)?;
         let ascending = Range { min: last, min_included: false, ..VISIBLE_UM };
         last = ascending.check("wavelength_um (ascending)", *wavelength)?;

@@ -81,13 +81,17 @@ fn glory(table: &PhaseTable, mie: &PhaseTable, found: &Landmarks, expected: &Lan
         .map(off)
         .fold(1.0, |worst: f64, r| if (r - 1.0).abs() > (worst - 1.0).abs() { r } else { worst });
     let words = format!(
-        "table over Mie where they differ most beyond 170 degrees; rings at {} where Mie has {}; contrast {:.2} where Mie has {:.2}",
+        "table over Mie where they differ most beyond 170 degrees; rings at {} where Mie has {}; contrast {} where Mie has {}",
         rings(found),
         rings(expected),
-        found.glory_contrast,
-        expected.glory_contrast
+        contrast(found),
+        contrast(expected)
     );
     Check::number("glory", worst, 1.0, SEEN, words)
+}
+
+fn contrast(landmarks: &Landmarks) -> String {
+    landmarks.glory_contrast.map_or("without end".to_owned(), |contrast| format!("{contrast:.2}"))
 }
 
 fn rings(landmarks: &Landmarks) -> String {

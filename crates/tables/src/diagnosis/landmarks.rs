@@ -1,8 +1,8 @@
 //! What one sees in a phase function: the forward peak, the fogbow, the glory.
 //!
 //! The fogbow is the highest local maximum between 120° and 165°, its contrast its value over the least one between 80° and
-//! itself. Glory rings are local maxima between 165° and 179.5°, from where on it is the centre; the glory's contrast is the highest value there over the least one
-//! between the fogbow (or 150°) and 180°.
+//! itself. Glory rings are local maxima between 165° and 179.5°, from where on it is the centre; the glory's contrast is
+//! the highest value there over the least one between the fogbow (or 150°) and 180°.
 
 use stratiform_optics::phase::PhaseTable;
 
@@ -30,8 +30,8 @@ pub struct Landmarks {
     pub backward_value: f64,
     /// Glory rings.
     pub rings_deg: Vec<f64>,
-    /// Highest value beyond 165° over the valley before it.
-    pub glory_contrast: f64,
+    /// Highest value beyond 165° over the valley before it, unless that is dark.
+    pub glory_contrast: Option<f64>,
 }
 
 /// A bow stands out of the valley before it by this much: rounding of printed tables does not make one.
@@ -53,7 +53,7 @@ impl Landmarks {
             fogbow,
             backward_value,
             rings_deg: maxima(theta, p, 165.0, 179.5).map(|i| theta[i]).collect(),
-            glory_contrast: beyond(165.0).fold(0.0, f64::max) / valley,
+            glory_contrast: (valley > 0.0).then(|| beyond(165.0).fold(0.0, f64::max) / valley),
         }
     }
 }

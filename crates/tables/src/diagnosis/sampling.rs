@@ -35,7 +35,8 @@ impl Sampling {
 pub fn trapezoids(table: &PhaseTable, up_to_deg: f64) -> f64 {
     let (theta, p) = (table.theta_rad(), table.values());
     let end = up_to_deg.to_radians();
-    (1..p.len()).take_while(|i| theta[i - 1] < end).fold(0.0, |sum, i| {
+    let cells = (1..p.len()).filter(|i| theta[i - 1] < theta[*i]);
+    cells.take_while(|i| theta[i - 1] < end).fold(0.0, |sum, i| {
         let (a, b) = (theta[i - 1], theta[i].min(end));
         // cos a - cos b
         let width = |a: f64, b: f64| 2.0 * libm::sin(0.5 * (a + b)) * libm::sin(0.5 * (b - a));

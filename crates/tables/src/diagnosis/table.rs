@@ -7,6 +7,7 @@ use super::{Check, Verdict};
 use crate::TablesError;
 use crate::read::{AngleUnit, Layout, Normalisation, RawTable, Understanding};
 use serde::{Deserialize, Serialize};
+use stratiform_optics::OpticsError;
 use stratiform_optics::phase::{Norm, PhaseFunction, PhaseTable};
 use stratiform_quantities::angle_map::angle_deg;
 
@@ -226,7 +227,7 @@ fn follow(checks: &mut [Check]) {
 /// A phase function as a table fine enough for any check: 4096 angles of the project's map.
 ///
 /// # Errors
-/// [`TablesError`] if a value is not finite.
+/// [`TablesError`] if a value is not finite, or the peak too sharp for so many angles (|g| above 0.999).
 pub fn tabulated(phase: &dyn PhaseFunction) -> Result<RawTable, TablesError> {
     let theta_deg: Vec<f64> = (0..4096).map(|i| angle_deg(f64::from(i) / 4095.0)).collect();
     let versine = |theta: &f64| {
@@ -234,7 +235,13 @@ pub fn tabulated(phase: &dyn PhaseFunction) -> Result<RawTable, TablesError> {
         phase.value(2.0 * sine * sine)
     };
     let p = theta_deg.iter().map(versine).collect();
-    let table = PhaseTable::new(theta_deg.clone(), p, Norm::Strict)?;
+    let table = PhaseTable::new(theta_deg.clone(), p, Norm::Strict).map_err(|error| match error {
+        OpticsError::NotNormalised { .. } => {
+            let reason = format!("too sharp to be looked at in 4096 angles: {error}");
+            TablesError::Container { format: "phase function", reason }
+        }
+        other => other.into(),
+    })?;
     Ok(RawTable {
         layout: Layout::Columns,
         unit: AngleUnit::Degrees,

@@ -40,12 +40,12 @@ pub struct NearestRow {
     pub backward_fraction: f64,
     /// Its error.
     pub backward_fraction_error: f64,
-    /// At 0°.
-    pub forward_ratio: f64,
+    /// At 0°; empty where the table is 0.
+    pub forward_ratio: Option<f64>,
     /// At the fogbow; empty where the table has none.
     pub fogbow_ratio: Option<f64>,
-    /// At 180°.
-    pub glory_ratio: f64,
+    /// At 180°; empty where the table is 0.
+    pub glory_ratio: Option<f64>,
 }
 
 impl NearestRow {

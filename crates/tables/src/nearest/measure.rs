@@ -67,12 +67,12 @@ pub struct Measured {
     pub forward_fraction: [f64; 2],
     /// Share beyond 90° of Q, and less that of P.
     pub backward_fraction: [f64; 2],
-    /// Q/P at 0°.
-    pub forward_ratio: f64,
+    /// Q/P at 0°, unless P is 0 there.
+    pub forward_ratio: Option<f64>,
     /// Q/P at the fogbow, where P has one.
     pub fogbow_ratio: Option<f64>,
-    /// Q/P at 180°, in the middle of the glory.
-    pub glory_ratio: f64,
+    /// Q/P at 180°, in the middle of the glory, unless P is 0 there.
+    pub glory_ratio: Option<f64>,
 }
 
 /// Measures `blend` against `table`.
@@ -83,7 +83,10 @@ pub fn measure(table: &PhaseTable, blend: Blend, theta_f_deg: f64) -> Result<Mea
     let phase = blend.phase()?;
     let sphere = Sphere::new(table);
     let with_error = |found: f64, truth: f64| [found, found - truth];
-    let ratio = |theta_deg: f64| phase.value(versine(theta_deg)) / table.at(theta_deg.to_radians());
+    let ratio = |theta_deg: f64| {
+        let p = table.at(theta_deg.to_radians());
+        (p > 0.0).then(|| phase.value(versine(theta_deg)) / p)
+    };
     let forward = phase.cumulative(versine(theta_f_deg));
     Ok(Measured {
         total_variation: sphere.total_variation(&phase),
@@ -92,7 +95,7 @@ pub fn measure(table: &PhaseTable, blend: Blend, theta_f_deg: f64) -> Result<Mea
         forward_fraction: with_error(forward, table.forward_fraction(theta_f_deg)?),
         backward_fraction: with_error(1.0 - phase.cumulative(1.0), 1.0 - table.cumulative(1.0)),
         forward_ratio: ratio(0.0),
-        fogbow_ratio: Landmarks::of(table).fogbow.map(|bow| ratio(bow.theta_deg)),
+        fogbow_ratio: Landmarks::of(table).fogbow.and_then(|bow| ratio(bow.theta_deg)),
         glory_ratio: ratio(180.0),
     })
 }

@@ -128,7 +128,8 @@ pub fn fit(table: &PhaseTable, family: Family, objective: Objective) -> Result<B
             best = Some((cost, x.clone()));
         }
     }
-    Ok(family.blend(&best.map(|(_, x)| x).unwrap_or_default()))
+    let (_, x) = best.ok_or_else(|| fault(Error::msg("no start has a distance")))?;
+    Ok(family.blend(&x))
 }
 
 /// The start and one point a step away along every axis.

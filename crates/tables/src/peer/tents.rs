@@ -7,6 +7,7 @@
 //! ∫Pφ_j/∫φ_j, plus what neighbours exchange, (p_j - p_{j+1})h/6; exchanges that would make a value negative are reduced
 //! there (Zalesak 1979, J. Comput. Phys. 31, 335). The integral stays, g is off by what is reported.
 
+use crate::tridiagonal;
 use stratiform_optics::phase::PhaseTable;
 
 /// Pieces of the quadrature are no wider, radians: three Gauss points are exact to rounding there.
@@ -21,7 +22,8 @@ pub(super) fn fit(table: &PhaseTable, count: usize) -> Vec<f64> {
     // In units of the step.
     let mass: Vec<f64> = integrals(table, count).iter().map(|m| m * 0.5 * (count - 1) as f64).collect();
     let end = |j: usize| j == 0 || j == count - 1;
-    let closest = solve(&mass, |j| if end(j) { 1.0 / 3.0 } else { 2.0 / 3.0 });
+    let diagonal = (0..count).map(|j| if end(j) { 1.0 / 3.0 } else { 2.0 / 3.0 }).collect();
+    let closest = tridiagonal::solve(diagonal, &vec![1.0 / 6.0; count - 1], mass.clone());
     let exchanged = exchange(&mass, &closest);
     let width = |j: usize| if end(j) { 0.5 } else { 1.0 };
     exchanged.iter().enumerate().map(|(j, mass)| (mass / width(j)).max(0.0)).collect()
@@ -77,23 +79,6 @@ fn pieces(table: &PhaseTable, count: usize) -> Vec<(f64, f64)> {
     breaks.windows(2).filter(|cell| cell[1] > cell[0]).flat_map(cut).collect()
 }
 
-/// The tridiagonal system with `diagonal` and 1/6 beside it (Thomas's algorithm; it is dominant).
-fn solve(right: &[f64], diagonal: impl Fn(usize) -> f64) -> Vec<f64> {
-    const BESIDE: f64 = 1.0 / 6.0;
-    let mut pivots = vec![diagonal(0)];
-    let mut x = right.to_vec();
-    for j in 1..x.len() {
-        let factor = BESIDE / pivots[j - 1];
-        pivots.push(diagonal(j) - factor * BESIDE);
-        x[j] -= factor * x[j - 1];
-    }
-    for j in (0..x.len()).rev() {
-        let above = x.get(j + 1).copied().unwrap_or(0.0);
-        x[j] = (x[j] - BESIDE * above) / pivots[j];
-    }
-    x
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -116,17 +101,6 @@ mod tests {
                 let expected = 1.5 - j as f64 / (count - 1) as f64;
                 assert!((p - expected).abs() < 1e-6, "{count} {j}: {p} {expected}");
             }
-        }
-    }
-
-    #[test]
-    fn the_system_is_solved() {
-        let diagonal = |j: usize| if j == 0 || j == 4 { 1.0 / 3.0 } else { 2.0 / 3.0 };
-        let right = [1.0, -2.0, 0.5, 3.0, 0.25];
-        let x = solve(&right, diagonal);
-        for j in 0..5 {
-            let beside = x.get(j + 1).unwrap_or(&0.0) + if j > 0 { x[j - 1] } else { 0.0 };
-            assert!((diagonal(j) * x[j] + beside / 6.0 - right[j]).abs() < 1e-14, "{j}");
         }
     }
 }

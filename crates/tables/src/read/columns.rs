@@ -44,7 +44,8 @@ const VALUES: [&str; 12] =
 pub(super) fn choose(sheet: &Sheet, choice: &Choice) -> Result<Columns, Fault> {
     let lower: Vec<String> = (0..sheet.rows[0].cells.len()).map(|i| name(sheet, i).to_lowercase()).collect();
     let find = |word: &str| lower.iter().position(|n| n.contains(word));
-    let angle = ["theta", "angle", "ang"].iter().find_map(|word| find(word)).unwrap_or(0);
+    let angle = ["theta", "angle", "ang", "cos"].iter().find_map(|word| find(word));
+    let angle = angle.or_else(|| lower.iter().position(|n| n == "mu")).unwrap_or(0);
     let wavelength = find("wavel").or_else(|| find("lambda"));
     let rest: Vec<usize> = (0..lower.len())
         .filter(|i| *i != angle && Some(*i) != wavelength && !repeats_the_angle(sheet, angle, *i))

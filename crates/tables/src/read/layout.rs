@@ -94,14 +94,13 @@ fn mentions_polarisation(line: &str) -> bool {
     line.contains("perp") || line.contains("paral") || line.contains("polari")
 }
 
-fn separator(c: char) -> bool {
-    c == ',' || c == ';' || c.is_whitespace()
-}
-
-/// The numbers of a line, or the first field that is none. Fortran's `1.0D+03` is one.
+/// The numbers of a line, or the first field that is none. Fortran's `1.0D+03` is one, and beside semicolons `1,5`.
 fn numbers(line: &str) -> Result<Vec<f64>, &str> {
+    let semicolons = line.contains(';');
+    let separator = |c: char| c == ';' || c.is_whitespace() || (c == ',' && !semicolons);
+    let number = |field: &str| field.replace(['d', 'D'], "e").replace(',', ".").parse();
     let fields = line.split(separator).filter(|field| !field.is_empty());
-    fields.map(|field| field.replace(['d', 'D'], "e").parse().map_err(|_| field)).collect()
+    fields.map(|field| number(field).map_err(|_| field)).collect()
 }
 
 /// `count` names, by the first way of splitting that gives as many.
@@ -148,7 +147,9 @@ mod tests {
 
     #[test]
     fn fortran_exponents_are_numbers_and_words_are_not() {
-        assert_eq!(numbers("0.5, 1.0D+03; 2"), Ok(vec![0.5, 1000.0, 2.0]));
+        assert_eq!(numbers("0.5, 1.0D+03 2"), Ok(vec![0.5, 1000.0, 2.0]));
         assert_eq!(numbers("1 two 3"), Err("two"));
+        assert_eq!(numbers("0,25; 1,5"), Ok(vec![0.25, 1.5]));
+        assert_eq!(numbers("1,2,3;4"), Err("1,2,3"));
     }
 }

@@ -9,7 +9,7 @@ use stratiform_optics::phase::PhaseTable;
 /// The mark of the line before the coefficients.
 const MARK: &str = "nleg";
 
-/// Most coefficients of a listing.
+/// Highest degree of a listing.
 const MOST: usize = 100_000;
 
 /// One block of a listing.
@@ -35,13 +35,21 @@ fn block(line: u64, text: &str) -> Option<Block> {
 
 /// Sums the coefficients of the effective radius that is meant.
 pub(super) fn assemble(text: &str, choice: &Choice) -> Result<RawTable, Fault> {
+    if choice.column.is_some() || choice.wavelength.is_some() {
+        return Err(Fault::whole("Legendre coefficients have neither columns nor wavelengths to choose"));
+    }
     let blocks: Vec<Block> =
         text.lines().enumerate().filter_map(|(i, line)| block(i as u64 + 1, line)).collect();
     let meant = match (choice.effective_radius, &blocks[..]) {
         (None, [only]) => only,
         (radius, _) => blocks.iter().find(|block| Some(block.radius) == radius).ok_or_else(|| {
             let radii: Vec<String> = blocks.iter().take(8).map(|block| block.radius.to_string()).collect();
-            Fault::whole(format!("several effective radii ({}): one of them must be named", radii.join(", ")))
+            Fault::whole(match radius {
+                Some(radius) => format!("no effective radius {radius}; there are {}", radii.join(", ")),
+                None => {
+                    format!("several effective radii ({}): one of them must be named", radii.join(", "))
+                }
+            })
         })?,
     };
     let moments = moments(text, meant)?;
@@ -60,10 +68,10 @@ pub(super) fn assemble(text: &str, choice: &Choice) -> Result<RawTable, Fault> {
 
 /// χ_l of a block.
 fn moments(text: &str, block: &Block) -> Result<Vec<f64>, Fault> {
-    let count = block.last + 1;
-    if count > MOST {
+    if block.last > MOST {
         return Err(Fault::at(block.line, format!("Nleg = {} is above {MOST}", block.last)));
     }
+    let count = block.last + 1;
     let mut moments = Vec::with_capacity(count);
     for (index, line) in text.lines().enumerate().skip(block.line as usize) {
         let at = index as u64 + 1;

@@ -1,6 +1,6 @@
 //! Phase tables of other programs: columns of angle and value, as they stand in the file, and what they seem to mean.
 //!
-//! Layouts: columns separated by commas, semicolons or white space, with or without a header, comments from `#`, `!`, `%`
+//! Layouts: columns separated by commas, semicolons (commas are decimal then) or white space, with or without a header, comments from `#`, `!`, `%`
 //! or `//` on (libRadtran, SHDOM's plotscattab, spreadsheets); and MiePlot's text, free lines up to one that begins
 //! with `Angle`, then angle, wavelength, perpendicular and parallel intensity up to a line of asterisks (columns as in the
 //! importer MiePlotImporter for Unreal Engine; unpolarised is the mean of both); and Legendre coefficients as SHDOM's
@@ -93,6 +93,10 @@ impl Fault {
 fn parse(text: &str, choice: &Choice) -> Result<RawTable, Fault> {
     if legendre::is_listing(text) {
         return legendre::assemble(text, choice);
+    }
+    if let Some(radius) = choice.effective_radius {
+        let message = format!("no effective radius {radius}: these are no Legendre coefficients");
+        return Err(Fault::whole(message));
     }
     let sheet = layout::sheet(text)?;
     let columns = columns::choose(&sheet, choice)?;

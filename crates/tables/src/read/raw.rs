@@ -59,6 +59,9 @@ pub(super) fn assemble(sheet: &Sheet, columns: &Columns, choice: &Choice) -> Res
     }
     let last = pairs.len() - 1;
     (pairs[0].0, pairs[last].0) = (0.0, 180.0);
+    if let Some(pair) = pairs.windows(2).find(|pair| pair[0].0 >= pair[1].0) {
+        return Err(Fault::whole(format!("two rows stand at {} degrees", pair[1].0)));
+    }
     let (theta_deg, value) = pairs.into_iter().unzip();
     Ok(RawTable {
         layout: sheet.layout,
@@ -82,7 +85,12 @@ fn of_one_wavelength<'a>(
     columns: &Columns,
     choice: &Choice,
 ) -> Result<Vec<&'a Row>, Fault> {
-    let Some(column) = columns.wavelength else { return Ok(sheet.rows.iter().collect()) };
+    let Some(column) = columns.wavelength else {
+        return match choice.wavelength {
+            Some(meant) => Err(Fault::whole(format!("no wavelength {meant}: no column is named so"))),
+            None => Ok(sheet.rows.iter().collect()),
+        };
+    };
     let mut all: Vec<f64> = sheet.rows.iter().map(|row| row.cells[column]).collect();
     all.sort_by(f64::total_cmp);
     all.dedup();
@@ -91,8 +99,11 @@ fn of_one_wavelength<'a>(
         (Some(meant), _) if all.contains(&meant) => meant,
         _ => {
             let listed: Vec<String> = all.iter().take(8).map(f64::to_string).collect();
-            let message = format!("several wavelengths ({}): one of them must be named", listed.join(", "));
-            return Err(Fault::whole(message));
+            let listed = listed.join(", ");
+            return Err(Fault::whole(match choice.wavelength {
+                Some(meant) => format!("no wavelength {meant}; there are {listed}"),
+                None => format!("several wavelengths ({listed}): one of them must be named"),
+            }));
         }
     };
     Ok(sheet.rows.iter().filter(|row| row.cells[column] == meant).collect())

@@ -8,6 +8,7 @@
 
 use super::Quadrature;
 use super::lookup::place;
+use crate::tridiagonal;
 use stratiform_optics::phase::PhaseTable;
 
 /// ½∫ over each cell, between texel i and i+1.
@@ -66,7 +67,7 @@ fn integrate(table: &PhaseTable, quadrature: &Quadrature, texels: usize) -> Vec<
     cells
 }
 
-/// Thomas's elimination; the matrix is positive definite and diagonally dominant enough to need no pivots.
+/// The values that fulfil the system of `cells`.
 fn solve(cells: &[Cell]) -> Vec<f64> {
     let count = cells.len() + 1;
     let (mut diagonal, mut values) = (vec![0.0; count], vec![0.0; count]);
@@ -80,14 +81,5 @@ fn solve(cells: &[Cell]) -> Vec<f64> {
         values[i] += cell.load[0];
         values[i + 1] += cell.load[1];
     }
-    for i in 1..count {
-        let factor = beside[i - 1] / diagonal[i - 1];
-        diagonal[i] -= factor * beside[i - 1];
-        values[i] -= factor * values[i - 1];
-    }
-    values[count - 1] /= diagonal[count - 1];
-    for i in (0..count - 1).rev() {
-        values[i] = (values[i] - beside[i] * values[i + 1]) / diagonal[i];
-    }
-    values
+    tridiagonal::solve(diagonal, &beside, values)
 }

@@ -34,6 +34,15 @@ impl Subject {
     /// Constants from .toml and .json, tables from everything else.
     fn from_file(file: &Path, args: &PhaseCheckArgs) -> Result<Self, CliError> {
         let name = file.display().to_string();
+        let is_constants =
+            file.extension().is_some_and(|extension| extension == "json" || extension == "toml");
+        if is_constants
+            && (args.column.is_some() || args.file_wavelength.is_some() || args.file_r_eff.is_some())
+        {
+            let message =
+                "constants have no rows: --column, --file-wavelength and --file-r-eff are for tables";
+            return Err(CliError::Input(format!("{name}: {message}")));
+        }
         match file.extension().and_then(|extension| extension.to_str()) {
             Some("json") => Self::from_constants(name, read_json(file)?),
             Some("toml") => Self::from_constants(name, read_toml(file)?),
