@@ -12,7 +12,7 @@ use stratiform_tables::colour::check_wavelengths;
 use stratiform_tables::parameters::ParameterTexels;
 use stratiform_tables::peer::{NamedFile, Program};
 use stratiform_tables::sampled::TEXELS;
-use stratiform_tables::set::{NamedCard, PhaseSet, SampledSet};
+use stratiform_tables::set::{Function, NamedCard, PhaseSet, SampledSet};
 use stratiform_tables::write::{
     Precision, parameters_csv, parameters_exr, parameters_json, parameters_ktx2, parameters_npz, phase_csv,
     phase_exr, phase_json, phase_ktx2, phase_npz, rounding,
@@ -84,6 +84,9 @@ pub fn run(args: &ExportArgs, talk: Talk) -> Result<Data, CliError> {
         write_atomic(&args.out.join(&file.name), &file.bytes)?;
     }
     talk.say(format!("{} files written to {}", files.len(), args.out.display()));
+    for (name, largest, at_deg) in files.iter().filter_map(coarse) {
+        talk.say(format!("{name}: P is off by {:.0} % at {at_deg:.2} degrees", 100.0 * largest));
+    }
     Ok(if args.json { object(&files) } else { table(&files) })
 }
 
@@ -181,6 +184,17 @@ impl Source {
         }
         Ok(files)
     }
+}
+
+/// Relative error of P from which a file is called coarse on stderr.
+const COARSE: f64 = 0.05;
+
+/// The file's largest error of P and its place, if it is above [`COARSE`].
+fn coarse(file: &File) -> Option<(&str, f64, f64)> {
+    let Worth::Cards(cards) = &file.worth else { return None };
+    let full = cards.iter().filter(|card| card.function == Function::Full).map(|card| &card.card);
+    let worst = full.max_by(|a, b| a.largest_error.total_cmp(&b.largest_error))?;
+    (worst.largest_error > COARSE).then_some((file.name.as_str(), worst.largest_error, worst.largest_at_deg))
 }
 
 /// A line per card; of a parameter table, a line with what rounding changes.

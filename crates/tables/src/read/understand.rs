@@ -1,7 +1,7 @@
 //! Normalisation and sign of a table, named but not repaired.
 //!
 //! The integral is I = ½∫P sinΘ dΘ, P linear in Θ between rows. Conventions are powers of π apart, so that a table within
-//! 25 % of one is taken to mean it (a coarse table misses its integral by 10 %). A truncated peak could make one
+//! 15 % of one is taken to mean it (a coarse table misses its integral by 10 %). A truncated peak could make one
 //! convention look like another; where Mie's P is known, its ratio to the table between 20° and 170° decides instead, unless
 //! the integral fits within 2 %.
 //!
@@ -47,7 +47,7 @@ const BY_INTEGRAL: [(Normalisation, f64); 6] = [
 ];
 
 /// How far an integral may be off its convention, as a factor.
-const SLACK: f64 = 1.25;
+const SLACK: f64 = 1.15;
 
 /// Below this asymmetry parameter a table is held to be mirrored.
 const MIRRORED_BELOW: f64 = -0.1;
@@ -63,7 +63,9 @@ impl Normalisation {
             Self::TwoPi => "2 pi times mean 1",
             Self::PerTwoPi => "1/(2 pi) of mean 1",
             Self::ForwardOne => "divided by the forward value",
-            Self::Unnormalised => "not normalised (intensities)",
+            Self::Unnormalised => {
+                "no known one: intensities, or a part is missing (droplets given tell which)"
+            }
         }
     }
 }
