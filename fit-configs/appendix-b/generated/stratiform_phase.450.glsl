@@ -14,7 +14,8 @@
 // Units      v = 1 - cosTheta, cosTheta = +1 is forward. Take v, not cosTheta, near the forward direction:
 //            v = |a - b|^2 / 2 of two unit directions of flight keeps the digits that cosTheta loses.
 // Norm       1/2 integral of P over cosTheta is 1; P/(4 pi) is the density per steradian.
-// Domain     v in [0, 2].
+// Domain     v in [0, 2]. Single precision adds 2e-5 of the value at most, 2e-6 rad to an angle.
+// Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
 // Grid's error relative to the tables at their own angles:
 //   full       median 5.1e-5, 95 % 6.0e-4, worst 8.8e-4
 //   squared    median 2.8e-6, 95 % 4.5e-5, worst 6.7e-5

@@ -7,14 +7,15 @@
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
-// Use        stratiform_phase.h: include it; C99 or C++11 and later.
+// Use        stratiform_phase.h: include it, in as many places as you like; C99 or C++11 and later; link with -lm.
 // Check      stratiform_phase_self_test() returns the number of wrong values: 0 if the table is in place.
 // Table      two rows of STRATIFORM_PHASE_COUNT values: P of the full medium, then P_S convolved with itself;
 //            columns p and p_squared of phase_warped.csv. C and Rust carry it.
 // Units      v = 1 - cosTheta, cosTheta = +1 is forward. Take v, not cosTheta, near the forward direction:
 //            v = |a - b|^2 / 2 of two unit directions of flight keeps the digits that cosTheta loses.
 // Norm       1/2 integral of P over cosTheta is 1; P/(4 pi) is the density per steradian.
-// Domain     v in [0, 2].
+// Domain     v in [0, 2]. Single precision adds 2e-5 of the value at most, 2e-6 rad to an angle.
+// Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
 // Grid's error relative to the tables at their own angles:
 //   full       median 5.1e-5, 95 % 6.0e-4, worst 8.8e-4
 //   squared    median 2.8e-6, 95 % 4.5e-5, worst 6.7e-5
