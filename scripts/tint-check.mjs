@@ -34,7 +34,7 @@ async function open() {
     browser.on("error", (error) => giveUp(error.message));
     browser.on("exit", (code) => giveUp(`it ended with ${code}`));
     browser.stdio[3].on("error", () => {});
-    const watch = setTimeout(() => { giveUp("no answer in 120 s"); browser.kill("SIGKILL"); }, 120_000);
+    let watch;
     browser.stdio[4].setEncoding("utf8").on("data", (chunk) => {
         const parts = (rest + chunk).split("\0");
         rest = parts.pop();
@@ -44,6 +44,8 @@ async function open() {
     });
     const send = (method, params, sessionId) => new Promise((resolve, reject) => {
         const id = ++count;
+        clearTimeout(watch);
+        watch = setTimeout(() => { giveUp("no answer in 120 s"); browser.kill("SIGKILL"); }, 120_000);
         waiting.set(id, ({ result, error }) => (error ? reject(new Error(error.message)) : resolve(result)));
         browser.stdio[3].write(`${JSON.stringify({ id, method, params, sessionId })}\0`);
     });
@@ -60,10 +62,15 @@ async function open() {
         if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
         return result.value;
     };
+    // The empty page that comes before it has no WebGPU.
+    const loaded = () => location.protocol === "file:" && document.readyState === "complete";
+    while (!(await evaluate(loaded).catch(() => browser.exitCode !== null))) {
+        await new Promise((done) => setTimeout(done, 50));
+    }
     const close = () => new Promise((done) => {
         clearTimeout(watch);
         browser.on("exit", () => { rmSync(profile, { recursive: true, force: true, maxRetries: 5 }); done(); });
-        browser.kill();
+        if (browser.exitCode === null && browser.signalCode === null) browser.kill(); else browser.emit("exit");
     });
     return { evaluate, close, product };
 }
@@ -159,7 +166,10 @@ const libraries = [
         table: [...rows.map((row) => row[2]), ...rows.map((row) => row[3])] },
 ];
 const slip = (code, constant) => code.replace(constant, (1.001 * constant).toFixed(9));
-const page = await open();
+const page = await open().catch((error) => {
+    console.error(`FAILED the browser: ${error.message}`);
+    process.exit(1);
+});
 let failed = 0;
 const check = (name, found, good) => {
     failed += good ? 0 : 1;

@@ -1,4 +1,5 @@
-//! What the embedded self-test sees: every number of the emitted C, one at a time, a thousandth off.
+//! What the embedded self-test sees: every number of the emitted C, one at a time, a thousandth off. It misses thresholds
+//! at which both sides agree, and where series start.
 
 #![allow(
     clippy::unwrap_used,
@@ -10,7 +11,7 @@ use std::fmt::Write as _;
 use stratiform_tests::languages::Emitted;
 use stratiform_tests::languages::tools::{Scratch, available};
 
-/// Ends of what is perturbed and what is not: the functions above the self-test, the self-test itself.
+/// Where the functions end that are perturbed.
 const SELF_TEST: &str = "// ---- self-test";
 
 /// Where a float begins in a line of C, and its text: `12.5f`, `1e-7f`.

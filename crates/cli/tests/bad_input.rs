@@ -174,6 +174,45 @@ fn configs_with_a_fault_name_file_and_line() {
     }
 }
 
+/// Targets that are none, and tables that generation refuses: nothing is written.
+#[test]
+fn code_that_cannot_be_generated() {
+    let dir = tempfile::tempdir().unwrap();
+    let accepted = common::root().join("fit-configs/appendix-b/accepted");
+    let copy = dir.path().join("accepted");
+    fs::create_dir(&copy).unwrap();
+    for entry in fs::read_dir(accepted).unwrap() {
+        let entry = entry.unwrap();
+        fs::copy(entry.path(), copy.join(entry.file_name())).unwrap();
+    }
+    let output = "output = \"appendix-b/generated\"";
+    let attempt = |targets: &str| {
+        let accepted = ("appendix-b/accepted", copy.to_str().unwrap());
+        fs::write(
+            dir.path().join("c.toml"),
+            config(&[accepted, (output, &format!("output = \"out\"\n{targets}"))]),
+        )
+        .unwrap();
+        run(dir.path(), &["codegen", "c.toml"])
+    };
+    for (targets, says) in [
+        ("targets = [\"cuda\"]", "cuda"),
+        ("targets = []", "targets is empty"),
+        ("targets = [\"c\", \"wgsl\", \"c\"]", "twice"),
+        ("targets = \"c\"", "sequence"),
+    ] {
+        refused(targets, &attempt(targets), &["c.toml:", says]);
+        assert!(!dir.path().join("out").exists(), "{targets}: something was written");
+    }
+    let parameters = copy.join("parameters.json");
+    let text = fs::read_to_string(&parameters).unwrap();
+    let mut document: serde_json::Value = serde_json::from_str(&text).unwrap();
+    document["medium"]["extinction_per_m"] = serde_json::json!(1e39);
+    fs::write(&parameters, document.to_string()).unwrap();
+    refused("extinction", &attempt("targets = [\"c\"]"), &["extinction_per_m = 1"]);
+    assert!(!dir.path().join("out").exists(), "something was written");
+}
+
 #[test]
 fn places_that_cannot_be_written() {
     let dir = tempfile::tempdir().unwrap();

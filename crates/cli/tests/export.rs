@@ -7,17 +7,22 @@ mod common;
 use common::{config, root, run, stdout};
 use std::fs;
 use std::path::Path;
+use stratiform_artifact::{ParametersDocument, read_json, write_json};
+use stratiform_cli::config::Config;
 
 const ALL: [&str; 6] = ["csv", "json", "npz", "exr", "rgba32f.ktx2", "rgba16f.ktx2"];
 
-/// A folder with the paper's config, changed, and its accepted parameters.
+/// A folder with the paper's config, changed, and the paper's parameters as if they were accepted for it.
 fn folder(replacements: &[(&str, &str)]) -> tempfile::TempDir {
     let dir = tempfile::tempdir().unwrap();
     fs::write(dir.path().join("cloud.toml"), config(replacements)).unwrap();
     let accepted = dir.path().join("appendix-b/accepted");
     fs::create_dir_all(&accepted).unwrap();
     let from = root().join("fit-configs/appendix-b/accepted/parameters.json");
-    fs::copy(from, accepted.join("parameters.json")).unwrap();
+    let parameters: ParametersDocument = read_json(&from).unwrap();
+    let changed = Config::load(&dir.path().join("cloud.toml")).unwrap();
+    let provenance = stratiform_cli::pipeline::provenance(&changed);
+    write_json(&accepted.join("parameters.json"), &ParametersDocument { provenance, ..parameters }).unwrap();
     dir
 }
 

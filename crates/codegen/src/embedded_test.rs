@@ -7,16 +7,18 @@ use crate::text::{fill, literal};
 use crate::{CodegenError, Inputs};
 use stratiform_quantities::Incidence;
 
-/// At every row of the table: thin enough for a large c, and thick enough for a small one.
-const AT_ROWS: [f64; 2] = [0.1, 2.0];
+/// At every row of the table.
+const AT_ROWS: [f64; 1] = [2.0];
+/// At the horizon's row: thin enough for its large c.
+const AT_HORIZON: [f64; 1] = [0.1];
 /// Between each two rows.
 const BETWEEN_ROWS: [f64; 1] = [0.5];
 /// Near the horizon.
-const NEAR_HORIZON: [f64; 2] = [1e-2, 40.0];
-/// At the zenith: nothing, thin, thick.
-const LIMITS: [f64; 4] = [0.0, 1e-4, 200.0, 1e4];
+const NEAR_HORIZON: [f64; 1] = [1e-2];
+/// At the zenith: thin, thick.
+const LIMITS: [f64; 2] = [1e-4, 200.0];
 /// In diffuse light: on both sides of where its exponential integral changes its form, and far from it.
-const DIFFUSE: [f64; 5] = [0.0, 0.1, 0.5, 2.0, 200.0];
+const DIFFUSE: [f64; 3] = [0.5, 2.0, 200.0];
 
 /// μ_l, none for diffuse light, and τ of every vector; all of them are in self_test.json too.
 fn points(inputs: &Inputs) -> Vec<(Option<f64>, f64)> {
@@ -25,6 +27,7 @@ fn points(inputs: &Inputs) -> Vec<(Option<f64>, f64)> {
         (between_rows(inputs), &BETWEEN_ROWS),
         (GRAZING.to_vec(), &NEAR_HORIZON),
         (vec![1.0], &LIMITS),
+        (vec![0.0], &AT_HORIZON),
     ];
     let beams = groups
         .iter()

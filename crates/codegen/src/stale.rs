@@ -1,10 +1,10 @@
 //! Writing the generated files, and finding out whether a folder still holds them.
 
 use crate::{CodegenError, Files};
-use std::fmt;
 use std::io::ErrorKind;
-use std::path::Path;
-use stratiform_artifact::{create_folder, write_atomic};
+use std::path::{Path, PathBuf};
+use std::{fmt, fs};
+use stratiform_artifact::{ArtifactError, create_folder, write_atomic};
 
 /// The command that brings stale files up to date.
 pub const REGENERATE: &str = "stratiform codegen CONFIG";
@@ -32,16 +32,31 @@ impl fmt::Display for Stale {
     }
 }
 
-/// Writes every file into `folder`, each whole or not at all.
+/// Writes every file into `folder`: first all of them beside their places, then each into its own, so that a full disk
+/// or a place that is taken leaves the folder as it was.
 ///
 /// # Errors
 /// [`CodegenError::Artifact`] if the folder or a file cannot be written.
 pub fn write(files: &Files, folder: &Path) -> Result<(), CodegenError> {
     create_folder(folder)?;
-    for (name, bytes) in files.iter() {
-        write_atomic(&folder.join(name), bytes)?;
+    let beside = folder.join(format!(".{}.partial", std::process::id()));
+    let written = write_beside(files, folder, &beside);
+    // The writing's own error is the one to report, whether or not the remains can be removed.
+    let _ = fs::remove_dir_all(&beside);
+    Ok(written?)
+}
+
+fn write_beside(files: &Files, folder: &Path, beside: &Path) -> Result<(), ArtifactError> {
+    create_folder(beside)?;
+    files.iter().try_for_each(|(name, bytes)| write_atomic(&beside.join(name), bytes))?;
+    let refused = |path: PathBuf, source| ArtifactError::Io { action: "write", path, source };
+    if let Some(path) = files.names().map(|name| folder.join(name)).find(|path| path.is_dir()) {
+        return Err(refused(path, ErrorKind::IsADirectory.into()));
     }
-    Ok(())
+    files.names().try_for_each(|name| {
+        let path = folder.join(name);
+        fs::rename(beside.join(name), &path).map_err(|source| refused(path, source))
+    })
 }
 
 /// The files in `folder` that differ from `files`, cannot be read, or are not generated.
@@ -50,7 +65,7 @@ pub fn write(files: &Files, folder: &Path) -> Result<(), CodegenError> {
 /// All of them, if there are any.
 pub fn check(files: &Files, folder: &Path) -> Result<(), Vec<Stale>> {
     let stale = |(name, expected): (&str, &[u8])| {
-        let diff = match (std::fs::read(folder.join(name)), std::str::from_utf8(expected)) {
+        let diff = match (fs::read(folder.join(name)), std::str::from_utf8(expected)) {
             (Ok(found), _) if found == expected => return None,
             (Ok(found), Ok(text)) => difference(&String::from_utf8_lossy(&found), text),
             (Ok(found), Err(_)) => format!("{} bytes differ from {}\n", found.len(), expected.len()),
@@ -66,7 +81,7 @@ pub fn check(files: &Files, folder: &Path) -> Result<(), Vec<Stale>> {
 
 /// Files in `folder` that nothing generates, in order.
 pub fn left_over(files: &Files, folder: &Path) -> Vec<Stale> {
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut names: Vec<_> = entries.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
     names.sort_unstable();
     let unknown = names.into_iter().filter(|name| files.bytes(name).is_none());

@@ -55,7 +55,7 @@ mod tests {
     fn literals_are_read_back_and_are_no_subnormals() {
         assert_eq!(literal(1e-40), "0.0");
         assert_eq!(literal(2e-38), "2e-38");
-        for value in [0.1, 1e-7, 4123.591_9, 3e38, -2.5] {
+        for value in [0.1, 1e-7, 4_123.59, 3e38, -2.5] {
             assert_eq!(literal(value).parse(), Ok(value as f32));
         }
     }

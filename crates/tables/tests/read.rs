@@ -179,9 +179,9 @@ fn conventions_are_told_by_the_integral() {
         (1.0 / p(0), Normalisation::ForwardOne),
         (3e5, Normalisation::Unnormalised),
         (0.01, Normalisation::Unnormalised),
-        // Just within, and just beyond, 25 % of a convention.
-        (1.24, Normalisation::MeanOne),
-        (1.26, Normalisation::Unnormalised),
+        // Just within, and just beyond, 15 % of a convention.
+        (1.14, Normalisation::MeanOne),
+        (1.16, Normalisation::Unnormalised),
     ];
     for (factor, normalisation) in expected {
         let found = understood(&scaled(factor));

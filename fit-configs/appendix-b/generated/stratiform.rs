@@ -408,54 +408,38 @@ pub fn stratiform_diffuse_r_three_plus(tau: f32) -> f32 {
 // ---- self-test ---------------------------------------------------------------------------------------------------
 
 /// Vectors of the self-test: thin, thick and grazing, at and between the table's angles, diffuse.
-pub const STRATIFORM_SELF_TEST_COUNT: u32 = 44;
+pub const STRATIFORM_SELF_TEST_COUNT: u32 = 28;
 
 /// mu_l of vector i; -1 stands for diffuse light.
 pub fn stratiform_self_test_mu(i: u32) -> f32 {
     match i {
         0 => 1.0,
-        1 => 1.0,
-        2 => 0.9848077,
-        3 => 0.9848077,
-        4 => 0.9396926,
-        5 => 0.9396926,
-        6 => 0.8660254,
-        7 => 0.8660254,
-        8 => 0.76604444,
-        9 => 0.76604444,
-        10 => 0.64278764,
-        11 => 0.64278764,
-        12 => 0.5,
-        13 => 0.5,
-        14 => 0.34202015,
-        15 => 0.34202015,
-        16 => 0.17364818,
-        17 => 0.17364818,
-        18 => 0.0,
-        19 => 0.0,
-        20 => 0.99240386,
-        21 => 0.9622502,
-        22 => 0.90285903,
-        23 => 0.8160349,
-        24 => 0.70441604,
-        25 => 0.5713938,
-        26 => 0.42101008,
-        27 => 0.25783417,
-        28 => 0.08682409,
-        29 => 0.001,
-        30 => 0.001,
-        31 => 0.01,
-        32 => 0.01,
-        33 => 0.1,
-        34 => 0.1,
-        35 => 1.0,
-        36 => 1.0,
-        37 => 1.0,
-        38 => 1.0,
-        39 => -1.0,
-        40 => -1.0,
-        41 => -1.0,
-        42 => -1.0,
+        1 => 0.9848077,
+        2 => 0.9396926,
+        3 => 0.8660254,
+        4 => 0.76604444,
+        5 => 0.64278764,
+        6 => 0.5,
+        7 => 0.34202015,
+        8 => 0.17364818,
+        9 => 0.0,
+        10 => 0.99240386,
+        11 => 0.9622502,
+        12 => 0.90285903,
+        13 => 0.8160349,
+        14 => 0.70441604,
+        15 => 0.5713938,
+        16 => 0.42101008,
+        17 => 0.25783417,
+        18 => 0.08682409,
+        19 => 0.001,
+        20 => 0.01,
+        21 => 0.1,
+        22 => 1.0,
+        23 => 1.0,
+        24 => 0.0,
+        25 => -1.0,
+        26 => -1.0,
         _ => -1.0,
     }
 }
@@ -463,49 +447,33 @@ pub fn stratiform_self_test_mu(i: u32) -> f32 {
 /// tau of vector i.
 pub fn stratiform_self_test_tau(i: u32) -> f32 {
     match i {
-        0 => 0.1,
+        0 => 2.0,
         1 => 2.0,
-        2 => 0.1,
+        2 => 2.0,
         3 => 2.0,
-        4 => 0.1,
+        4 => 2.0,
         5 => 2.0,
-        6 => 0.1,
+        6 => 2.0,
         7 => 2.0,
-        8 => 0.1,
+        8 => 2.0,
         9 => 2.0,
-        10 => 0.1,
-        11 => 2.0,
-        12 => 0.1,
-        13 => 2.0,
-        14 => 0.1,
-        15 => 2.0,
-        16 => 0.1,
-        17 => 2.0,
-        18 => 0.1,
-        19 => 2.0,
-        20 => 0.5,
-        21 => 0.5,
-        22 => 0.5,
-        23 => 0.5,
-        24 => 0.5,
+        10 => 0.5,
+        11 => 0.5,
+        12 => 0.5,
+        13 => 0.5,
+        14 => 0.5,
+        15 => 0.5,
+        16 => 0.5,
+        17 => 0.5,
+        18 => 0.5,
+        19 => 0.01,
+        20 => 0.01,
+        21 => 0.01,
+        22 => 0.0001,
+        23 => 200.0,
+        24 => 0.1,
         25 => 0.5,
-        26 => 0.5,
-        27 => 0.5,
-        28 => 0.5,
-        29 => 0.01,
-        30 => 40.0,
-        31 => 0.01,
-        32 => 40.0,
-        33 => 0.01,
-        34 => 40.0,
-        35 => 0.0,
-        36 => 0.0001,
-        37 => 200.0,
-        38 => 10000.0,
-        39 => 0.0,
-        40 => 0.1,
-        41 => 0.5,
-        42 => 2.0,
+        26 => 2.0,
         _ => 200.0,
     }
 }
@@ -514,175 +482,111 @@ pub fn stratiform_self_test_tau(i: u32) -> f32 {
 pub fn stratiform_self_test_expected(i: u32) -> StratiformFluxes {
     match i {
         0 => StratiformFluxes {
-            t_ms: 0.9958945, r_ms: 0.004105481, t_zero: 0.94693166, t_one: 0.047335878, t_two: 0.001195954,
-            t_three_plus: 0.00043105078, r_one: 0.003509411, r_two: 0.00017287173, r_three_plus: 0.0004231981
-        },
-        1 => StratiformFluxes {
             t_ms: 0.90671843, r_ms: 0.09328156, t_zero: 0.3360257, t_one: 0.3025086, t_two: 0.15248883,
             t_three_plus: 0.11569529, r_one: 0.028203988, r_two: 0.01796363, r_three_plus: 0.047113936
         },
-        2 => StratiformFluxes {
-            t_ms: 0.995728, r_ms: 0.004271966, t_zero: 0.9461354, t_one: 0.04788932, t_two: 0.0012251926,
-            t_three_plus: 0.00047810285, r_one: 0.0035785963, r_two: 0.00017843799, r_three_plus: 0.0005149316
-        },
-        3 => StratiformFluxes {
+        1 => StratiformFluxes {
             t_ms: 0.9039634, r_ms: 0.096036606, t_zero: 0.33041978, t_one: 0.3012828, t_two: 0.15377712,
             t_three_plus: 0.11848369, r_one: 0.028484771, r_two: 0.018247867, r_three_plus: 0.049303968
         },
-        4 => StratiformFluxes {
-            t_ms: 0.9951919, r_ms: 0.0048081554, t_zero: 0.9436236, t_one: 0.04960955, t_two: 0.0013185759,
-            t_three_plus: 0.0006400897, r_one: 0.0038095019, r_two: 0.00019711062, r_three_plus: 0.0008015427
-        },
-        5 => StratiformFluxes {
+        2 => StratiformFluxes {
             t_ms: 0.8952008, r_ms: 0.10479923, t_zero: 0.31331137, t_one: 0.2971506, t_two: 0.15753709,
             t_three_plus: 0.1272017, r_one: 0.029436525, r_two: 0.019181766, r_three_plus: 0.056180943
         },
-        6 => StratiformFluxes {
-            t_ms: 0.9941746, r_ms: 0.005825389, t_zero: 0.9389773, t_one: 0.052696373, t_two: 0.0014957915,
-            t_three_plus: 0.0010051241, r_one: 0.004289439, r_two: 0.00023648565, r_three_plus: 0.0012994643
-        },
-        7 => StratiformFluxes {
+        3 => StratiformFluxes {
             t_ms: 0.8787979, r_ms: 0.121202104, t_zero: 0.28385863, t_one: 0.28865835, t_two: 0.16336131,
             t_three_plus: 0.1429196, r_one: 0.031456318, r_two: 0.021063697, r_three_plus: 0.06868209
         },
-        8 => StratiformFluxes {
-            t_ms: 0.9927262, r_ms: 0.007273823, t_zero: 0.9312926, t_one: 0.0575644, t_two: 0.0018012371,
-            t_three_plus: 0.0020679184, r_one: 0.0052404506, r_two: 0.00031718446, r_three_plus: 0.0017161879
-        },
-        9 => StratiformFluxes {
+        4 => StratiformFluxes {
             t_ms: 0.8508888, r_ms: 0.14911123, t_zero: 0.24083702, t_one: 0.27308697, t_two: 0.17020302,
             t_three_plus: 0.16676176, r_one: 0.035483427, r_two: 0.024615986, r_three_plus: 0.08901181
         },
-        10 => StratiformFluxes {
-            t_ms: 0.9868805, r_ms: 0.013119516, t_zero: 0.91866744, t_one: 0.06503454, t_two: 0.0023351635,
-            t_three_plus: 0.0008433445, r_one: 0.007211267, r_two: 0.0004969889, r_three_plus: 0.0054112603
-        },
-        11 => StratiformFluxes {
+        5 => StratiformFluxes {
             t_ms: 0.7992818, r_ms: 0.20071824, t_zero: 0.1833017, t_one: 0.24605629, t_two: 0.17556214,
             t_three_plus: 0.19436164, r_one: 0.043506935, r_two: 0.03141813, r_three_plus: 0.12579317
         },
-        12 => StratiformFluxes {
-            t_ms: 0.98100317, r_ms: 0.018996805, t_zero: 0.8966795, t_one: 0.076884195, t_two: 0.0033605513,
-            t_three_plus: 0.004078927, r_one: 0.011730568, r_two: 0.00096798746, r_three_plus: 0.006298251
-        },
-        13 => StratiformFluxes {
+        6 => StratiformFluxes {
             t_ms: 0.73229396, r_ms: 0.26770604, t_zero: 0.11291329, t_one: 0.20128413, t_two: 0.17367199,
             t_three_plus: 0.24442455, r_one: 0.060039386, r_two: 0.04512373, r_three_plus: 0.16254294
         },
-        14 => StratiformFluxes {
-            t_ms: 0.96461254, r_ms: 0.03538745, t_zero: 0.85262936, t_one: 0.09701306, t_two: 0.005707181,
-            t_three_plus: 0.00926293, r_one: 0.023434665, r_two: 0.002495542, r_three_plus: 0.009457243
-        },
-        15 => StratiformFluxes {
+        7 => StratiformFluxes {
             t_ms: 0.6167257, r_ms: 0.3832743, t_zero: 0.0412293, t_one: 0.13210209, t_two: 0.15011688,
             t_three_plus: 0.29327744, r_one: 0.09479079, r_two: 0.07341773, r_three_plus: 0.21506579
         },
-        16 => StratiformFluxes {
-            t_ms: 0.9111618, r_ms: 0.088838205, t_zero: 0.730507, t_one: 0.13455772, t_two: 0.013235711,
-            t_three_plus: 0.032861315, r_one: 0.060797542, r_two: 0.0094423825, r_three_plus: 0.018598283
-        },
-        17 => StratiformFluxes {
+        8 => StratiformFluxes {
             t_ms: 0.45942867, r_ms: 0.54057133, t_zero: 0.0018727857, t_one: 0.041995026, t_two: 0.07319816,
             t_three_plus: 0.3423627, r_one: 0.17141816, r_two: 0.1309486, r_three_plus: 0.23820457
         },
-        18 => StratiformFluxes {
-            t_ms: 0.3582064, r_ms: 0.6417936, t_zero: 0.0, t_one: 0.09825481, t_two: 0.12180055,
-            t_three_plus: 0.13815103, r_one: 0.44093028, r_two: 0.08425436, r_three_plus: 0.11660896
-        },
-        19 => StratiformFluxes {
+        9 => StratiformFluxes {
             t_ms: 0.21574032, r_ms: 0.7842597, t_zero: 0.0, t_one: 3.0278582e-9, t_two: 1.4178946e-8,
             t_three_plus: 0.21574031, r_one: 0.5, r_two: 0.13383742, r_three_plus: 0.15042226
         },
-        20 => StratiformFluxes {
+        10 => StratiformFluxes {
             t_ms: 0.97817636, r_ms: 0.021823633, t_zero: 0.7597782, t_one: 0.18691814, t_two: 0.023742842,
             t_three_plus: 0.00773721, r_one: 0.014116833, r_two: 0.0032124605, r_three_plus: 0.0044943388
         },
-        21 => StratiformFluxes {
+        11 => StratiformFluxes {
             t_ms: 0.9765359, r_ms: 0.02346408, t_zero: 0.75326526, t_one: 0.19004057, t_two: 0.024753252,
             t_three_plus: 0.00847683, r_one: 0.014618032, r_two: 0.0034002054, r_three_plus: 0.005445842
         },
-        22 => StratiformFluxes {
+        12 => StratiformFluxes {
             t_ms: 0.97297406, r_ms: 0.02702593, t_zero: 0.7393557, t_one: 0.19643989, t_two: 0.026936641,
             t_three_plus: 0.010241829, r_one: 0.015794951, r_two: 0.003841148, r_three_plus: 0.00738983
         },
-        23 => StratiformFluxes {
+        13 => StratiformFluxes {
             t_ms: 0.9676563, r_ms: 0.032343667, t_zero: 0.71597815, t_one: 0.20643948, t_two: 0.030683044,
             t_three_plus: 0.014555684, r_one: 0.01811491, r_two: 0.0047186026, r_three_plus: 0.009510156
         },
-        24 => StratiformFluxes {
+        14 => StratiformFluxes {
             t_ms: 0.94931936, r_ms: 0.050680608, t_zero: 0.6790594, t_one: 0.22055428, t_two: 0.03679458,
             t_three_plus: 0.012911143, r_one: 0.022651277, r_two: 0.0064950343, r_three_plus: 0.021534298
         },
-        25 => StratiformFluxes {
+        15 => StratiformFluxes {
             t_ms: 0.9238784, r_ms: 0.07612165, t_zero: 0.62054795, t_one: 0.23951246, t_two: 0.047006696,
             t_three_plus: 0.016811214, r_one: 0.031946886, r_two: 0.01042863, r_three_plus: 0.033746134
         },
-        26 => StratiformFluxes {
+        16 => StratiformFluxes {
             t_ms: 0.88765943, r_ms: 0.11234058, t_zero: 0.5233055, t_one: 0.26332313, t_two: 0.06529577,
             t_three_plus: 0.03573507, r_one: 0.052289452, r_two: 0.020301564, r_three_plus: 0.039749563
         },
-        27 => StratiformFluxes {
+        17 => StratiformFluxes {
             t_ms: 0.7886498, r_ms: 0.2113502, t_zero: 0.34734693, t_one: 0.28294152, t_two: 0.100212954,
             t_three_plus: 0.058148403, r_one: 0.100414574, r_two: 0.048758242, r_three_plus: 0.06217738
         },
-        28 => StratiformFluxes {
+        18 => StratiformFluxes {
             t_ms: 0.48219278, r_ms: 0.51780725, t_zero: 0.043275695, t_one: 0.15246001, t_two: 0.09970442,
             t_three_plus: 0.18675265, r_one: 0.2485943, r_two: 0.115701884, r_three_plus: 0.15351105
         },
-        29 => StratiformFluxes {
+        19 => StratiformFluxes {
             t_ms: 0.87183636, r_ms: 0.12816365, t_zero: 0.0042841313, t_one: 0.025457751, t_two: 0.0048498963,
             t_three_plus: 0.8372446, r_one: 0.09324246, r_two: 0.0025434338, r_three_plus: 0.032377753
         },
-        30 => StratiformFluxes {
-            t_ms: 0.04970612, r_ms: 0.9502939, t_zero: 0.0, t_one: 0.0, t_two: 0.0, t_three_plus: 0.04970612,
-            r_one: 0.4945422, r_two: 0.13379276, r_three_plus: 0.3219589
-        },
-        31 => StratiformFluxes {
+        20 => StratiformFluxes {
             t_ms: 0.9112044, r_ms: 0.088795625, t_zero: 0.5796773, t_one: 0.023705797, t_two: 0.002981184,
             t_three_plus: 0.30484012, r_one: 0.07214262, r_two: 0.0018119315, r_three_plus: 0.014841072
         },
-        32 => StratiformFluxes {
-            t_ms: 0.05250422, r_ms: 0.94749576, t_zero: 0.0, t_one: 0.0, t_two: 0.0, t_three_plus: 0.05250422,
-            r_one: 0.4503043, r_two: 0.13343088, r_three_plus: 0.3637606
-        },
-        33 => StratiformFluxes {
+        21 => StratiformFluxes {
             t_ms: 0.9813372, r_ms: 0.018662782, t_zero: 0.94693166, t_one: 0.017707577, t_two: 0.00027875026,
             t_three_plus: 0.01641925, r_one: 0.015195768, r_two: 0.00027505515, r_three_plus: 0.0031919593
         },
-        34 => StratiformFluxes {
-            t_ms: 0.08048522, r_ms: 0.9195148, t_zero: 0.0, t_one: 0.0, t_two: 0.0, t_three_plus: 0.08048522,
-            r_one: 0.2376875, r_two: 0.13169162, r_three_plus: 0.5501357
-        },
-        35 => StratiformFluxes {
-            t_ms: 1.0, r_ms: 0.0, t_zero: 1.0, t_one: 0.0, t_two: 0.0, t_three_plus: 0.0, r_one: 0.0,
-            r_two: 0.0, r_three_plus: 0.0
-        },
-        36 => StratiformFluxes {
+        22 => StratiformFluxes {
             t_ms: 0.99999595, r_ms: 4.0536474e-6, t_zero: 0.99994546, t_one: 5.0262304e-5,
             t_two: 1.2701601e-9, t_three_plus: 2.096694e-7, r_one: 3.7241334e-6, r_two: 1.8719101e-10,
             r_three_plus: 3.2932672e-7
         },
-        37 => StratiformFluxes {
+        23 => StratiformFluxes {
             t_ms: 0.054675482, r_ms: 0.94532454, t_zero: 0.0, t_one: 0.0, t_two: 0.0,
             t_three_plus: 0.054675482, r_one: 0.031012068, r_two: 0.025960233, r_three_plus: 0.8883522
         },
-        38 => StratiformFluxes {
-            t_ms: 0.0011432084, r_ms: 0.9988568, t_zero: 0.0, t_one: 0.0, t_two: 0.0,
-            t_three_plus: 0.0011432084, r_one: 0.031012068, r_two: 0.025960233, r_three_plus: 0.9418845
+        24 => StratiformFluxes {
+            t_ms: 0.3582064, r_ms: 0.6417936, t_zero: 0.0, t_one: 0.09825481, t_two: 0.12180055,
+            t_three_plus: 0.13815103, r_one: 0.44093028, r_two: 0.08425436, r_three_plus: 0.11660896
         },
-        39 => StratiformFluxes {
-            t_ms: 1.0, r_ms: 0.0, t_zero: 1.0, t_one: 0.0, t_two: 0.0, t_three_plus: 0.0, r_one: 0.0,
-            r_two: 0.0, r_three_plus: 0.0
-        },
-        40 => StratiformFluxes {
-            t_ms: 0.9820546, r_ms: 0.017945418, t_zero: 0.90239024, t_one: 0.06309872, t_two: 0.0022147824,
-            t_three_plus: 0.014350843, r_one: 0.009226794, r_two: 0.0006165914, r_three_plus: 0.008102033
-        },
-        41 => StratiformFluxes {
+        25 => StratiformFluxes {
             t_ms: 0.92351437, r_ms: 0.07648563, t_zero: 0.6264471, t_one: 0.22302993, t_two: 0.038994372,
             t_three_plus: 0.03504297, r_one: 0.03360237, r_two: 0.009911347, r_three_plus: 0.032971907
         },
-        42 => StratiformFluxes {
+        26 => StratiformFluxes {
             t_ms: 0.7861863, r_ms: 0.21381374, t_zero: 0.19419852, t_one: 0.24297987, t_two: 0.16868645,
             t_three_plus: 0.18032143, r_one: 0.05614639, r_two: 0.03958735, r_three_plus: 0.11808
         },
