@@ -26,7 +26,7 @@ pub struct Stale {
 impl fmt::Display for Stale {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.left_over {
-            return write!(f, "{} is not generated, perhaps no longer: delete it\n", self.file);
+            return writeln!(f, "{} is not generated, perhaps no longer: delete it", self.file);
         }
         write!(f, "{} is stale: run `{REGENERATE}`\n{}", self.file, self.diff)
     }
