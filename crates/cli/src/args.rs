@@ -53,7 +53,7 @@ pub enum Command {
     Trace(TraceArgs),
     /// Deterministic reflectance and transmittance of slabs, with estimated errors.
     Solve(SolveArgs),
-    /// Fit the one-dimensional model to the tracer, with errors and flags.
+    /// Fit the one-dimensional model to the solver or to photons, with errors and flags.
     Fit(StageArgs),
     /// Emit shader libraries, C, Rust, JSON and CSV from the accepted parameters; `--check` proves the emitted text fresh.
     Codegen(CodegenArgs),

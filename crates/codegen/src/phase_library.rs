@@ -30,7 +30,8 @@ pub(crate) fn library(inputs: &Inputs) -> Library<'static> {
     ];
     let code = fill(include_str!("wgsl/phase.wgsl"), &places);
     let table: Vec<_> = p.iter().chain(&squared).map(|value| literal(*value)).collect();
-    let text = Box::new(move |target| access(target, &table));
+    let wavelength_um = medium.wavelength_um;
+    let text = Box::new(move |target| access(target, &table, wavelength_um));
     let glue = Glue { function: "stratiform_phase_texel", owner: "StratiformPhase", text };
     Library { head: head(inputs, &p, &squared), name: "stratiform_phase", code, glue: Some(glue) }
 }
@@ -72,7 +73,7 @@ fn resampling(name: &str, rows: &[PhaseRow], grid: &[f64]) -> String {
 }
 
 /// The table and the function that reads it: the only text that is written per language.
-fn access(target: Target, table: &[String]) -> String {
+fn access(target: Target, table: &[String], wavelength_um: f64) -> String {
     let numbers = |suffix: &str| {
         let lines = table
             .chunks(8)
@@ -96,7 +97,7 @@ fn access(target: Target, table: &[String]) -> String {
         Target::Glsl330 | Target::Glsl300Es => {
             let value = "texelFetch(stratiform_phase_table, ivec2(int(index), int(row)), 0).r";
             format!(
-                "// The host binds the table here: a float texture {COUNT} wide,\n// channel r, the first two rows; that of `stratiform export --texels {COUNT}` has P and P_S * P_S there.\nuniform highp sampler2D stratiform_phase_table;\n\n"
+                "// The host binds the table here: a float texture {COUNT} wide. Its channel r holds P and P_S * P_S of {wavelength_um} um in the\n// first two rows, as that wavelength's channel of `stratiform export --texels {COUNT}` does.\nuniform highp sampler2D stratiform_phase_table;\n\n"
             ) + &function("float stratiform_phase_texel(uint row, uint index)", value)
         }
         Target::Hlsl => {

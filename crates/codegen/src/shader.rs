@@ -26,13 +26,16 @@ fn header(inputs: &Inputs) -> Result<String, CodegenError> {
         "//\n\
          // Use        @USE@.\n\
          // Check      stratiform_self_test() returns the number of wrong values: 0, each held to 2e-5 (0.1 + |value|),\n\
-         //            the error of single precision at most. It sees a thousandth of any number of the table.\n\
+         //            the error of single precision at most. Made to see a thousandth of any number of the table.\n\
          // Units      tau is the extinction optical thickness of the full medium along the slab's normal, tau = kappa H.\n\
          //            mu_l = cos(theta_l), the sun's zenith angle. Fluxes are shares of the flux incident on the slab.\n\
+         // Orders     count scattering by more than theta_f: t_zero is light that no event turned further, not the sun's\n\
+         //            sharp image (that is exp(-tau / mu_l)). t_ms and r_ms hold all orders.\n\
          // Phase      1/2 integral of P over cosTheta is 1; cosTheta = +1 is forward.\n\
          {}\
          // Domain     mu_l in [0, 1], tau in [0, 1e6]; fitted over tau {} to {}. Nothing is checked or clamped here.\n\
-         //            three_plus are differences and may fall below 0; theta_l = 90 deg is beyond the model's form.\n",
+         //            three_plus are differences and may fall below 0; theta_l = 90 deg is beyond the model's form.\n\
+         // Error      |value - reference| below; the reference is this cloud's flux by the method above, before any model.\n",
         medium_line(inputs),
         brief(thin),
         brief(thick),

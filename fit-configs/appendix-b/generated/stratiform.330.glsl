@@ -9,13 +9,16 @@
 //
 // Use        stratiform.330.glsl: paste it below #version 330.
 // Check      stratiform_self_test() returns the number of wrong values: 0, each held to 2e-5 (0.1 + |value|),
-//            the error of single precision at most. It sees a thousandth of any number of the table.
+//            the error of single precision at most. Made to see a thousandth of any number of the table.
 // Units      tau is the extinction optical thickness of the full medium along the slab's normal, tau = kappa H.
 //            mu_l = cos(theta_l), the sun's zenith angle. Fluxes are shares of the flux incident on the slab.
+// Orders     count scattering by more than theta_f: t_zero is light that no event turned further, not the sun's
+//            sharp image (that is exp(-tau / mu_l)). t_ms and r_ms hold all orders.
 // Phase      1/2 integral of P over cosTheta is 1; cosTheta = +1 is forward.
 // Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
 // Domain     mu_l in [0, 1], tau in [0, 1e6]; fitted over tau 0.0462 to 46.1814. Nothing is checked or clamped here.
 //            three_plus are differences and may fall below 0; theta_l = 90 deg is beyond the model's form.
+// Error      |value - reference| below; the reference is this cloud's flux by the method above, before any model.
 //
 // Error against the reference at the table's angles up to 80 deg, absolute; sigma is the reference's own largest estimated error:
 //   quantity    values     median        95 %       worst       sigma

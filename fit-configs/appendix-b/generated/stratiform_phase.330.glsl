@@ -20,8 +20,8 @@
 //   full       median 5.1e-5, 95 % 6.0e-4, worst 8.8e-4
 //   squared    median 2.8e-6, 95 % 4.5e-5, worst 6.7e-5
 
-// The host binds the table here: a float texture 1024 wide,
-// channel r, the first two rows; that of `stratiform export --texels 1024` has P and P_S * P_S there.
+// The host binds the table here: a float texture 1024 wide. Its channel r holds P and P_S * P_S of 0.55 um in the
+// first two rows, as that wavelength's channel of `stratiform export --texels 1024` does.
 uniform highp sampler2D stratiform_phase_table;
 
 // Value `index` of row `row` of the table.
