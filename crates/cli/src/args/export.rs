@@ -47,6 +47,7 @@ impl Format {
 /// `stratiform export`.
 #[derive(Debug, Args)]
 #[command(
+    allow_negative_numbers = true,
     after_help = "Examples:\n  stratiform export fit-configs/appendix-b.toml --out out/tables\n  stratiform export \
                   fit-configs/appendix-b.toml --out out/tables --formats exr,ktx2-16 --texels 512\nFiles: phase.* with P, P_S \
                   and P_S*P_S of every wavelength at equal steps of the angle map's coordinate. Printed is each file's card: the integral \
@@ -64,7 +65,7 @@ pub struct ExportArgs {
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Which files.
-    #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT,...", default_values_t = Format::CONTAINERS)]
+    #[arg(long, value_enum, ignore_case = true, value_delimiter = ',', value_name = "FORMAT,...", default_values_t = Format::CONTAINERS)]
     pub formats: Vec<Format>,
     /// Values of each phase function, 64 to 1024.
     #[arg(long, value_name = "N", default_value_t = 256)]

@@ -211,8 +211,7 @@ impl Printer<'_> {
                 close: ")".to_owned(),
             },
             Expr::Binary("+", ..) => {
-                let mut parts = Vec::new();
-                self.terms(value, &mut parts);
+                let parts = value.terms().into_iter().map(|term| self.expr(term)).collect();
                 Broken { open: String::new(), parts, joint: " + ", close: String::new() }
             }
             _ => {
@@ -220,16 +219,6 @@ impl Printer<'_> {
             }
         };
         self.lines.push_broken(before, &broken, after);
-    }
-
-    fn terms(&self, value: &Expr, parts: &mut Vec<String>) {
-        match value {
-            Expr::Binary("+", left, right) => {
-                self.terms(left, parts);
-                parts.push(self.expr(right));
-            }
-            other => parts.push(self.expr(other)),
-        }
     }
 
     fn kind(&self, kind: &Type) -> String {

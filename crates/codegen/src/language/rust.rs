@@ -157,23 +157,12 @@ impl Printer<'_> {
                 close: ")".to_owned(),
             },
             Expr::Binary("+", ..) => {
-                let mut parts = Vec::new();
-                self.terms(value, &mut parts);
+                let parts = value.terms().into_iter().map(|term| self.part(term)).collect();
                 Broken { open: String::new(), parts, joint: " + ", close: String::new() }
             }
             other => single(self.bare(other)),
         };
         self.lines.push_broken(before, &broken, after);
-    }
-
-    fn terms(&self, value: &Expr, parts: &mut Vec<String>) {
-        match value {
-            Expr::Binary("+", left, right) => {
-                self.terms(left, parts);
-                parts.push(self.part(right));
-            }
-            other => parts.push(self.part(other)),
-        }
     }
 
     /// `name: value`, or `name` where the value is a variable of that name.

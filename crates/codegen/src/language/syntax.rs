@@ -86,3 +86,17 @@ pub(super) enum Expr {
     /// In brackets.
     Group(Box<Expr>),
 }
+
+impl Expr {
+    /// The summands of a sum, from left to right; of anything else, itself.
+    pub fn terms(&self) -> Vec<&Self> {
+        match self {
+            Self::Binary("+", left, right) => {
+                let mut terms = left.terms();
+                terms.push(right);
+                terms
+            }
+            other => vec![other],
+        }
+    }
+}
