@@ -1,7 +1,7 @@
 //! Phase functions and parameter tables as others load them, and what is wrong with somebody else's table.
 //!
 //! [`set::PhaseSet`] (full, modified, squared; a channel per wavelength, or linear sRGB by [`colour`]) is sampled on the angle map
-//! of `stratiform_quantities` ([`sampled`]), judged ([`card`]) and put into a container ([`write`]) or another program's own
+//! of `stratiform_quantities` ([`sampled`]), judged ([`card`]) and put into a container ([`mod@write`]) or another program's own
 //! file ([`peer`]). [`parameters`] does the same for the fitted table. [`read`] takes in other people's tables as they
 //! stand, [`diagnosis`] says what is wrong with them, [`nearest`] finds analytic functions near them.
 //!
