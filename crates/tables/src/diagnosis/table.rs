@@ -187,7 +187,7 @@ fn integral(understood: &Understanding, sampling: &Sampling, too_coarse: bool) -
     let explained = INTEGRAL_PER_RULES * (sampling.rules - 1.0).abs();
     let bound = if too_coarse { INTEGRAL } else { INTEGRAL.max(explained) };
     let found = understood.integral / understood.factor;
-    let words = "after the normalisation's factor, P linear in the angle; the values are to be divided by what is found";
+    let words = "after the normalisation's factor, P linear in the angle: 1 is right";
     let mut check = Check::number("integral", found, 1.0, bound, words);
     if too_coarse && (found - 1.0).abs() <= explained {
         check.follow("sampling");
