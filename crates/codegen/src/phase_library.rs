@@ -6,7 +6,7 @@ use crate::phase::{COUNT, warped};
 use crate::shader::{cases, medium_line};
 use crate::text::{banner, fill, literal};
 use crate::{Inputs, PhaseRow, Target};
-use stratiform_quantities::angle_map::coordinate;
+use stratiform_quantities::angle_map::place;
 
 /// Angles of the embedded self-test, degrees: peak, sides, fogbow, glory.
 const TESTED_DEG: [f64; 8] = [0.0, 0.3, 2.0, 20.0, 90.0, 142.0, 178.0, 180.0];
@@ -15,16 +15,15 @@ const TESTED_DEG: [f64; 8] = [0.0, 0.3, 2.0, 20.0, 90.0, 142.0, 178.0, 180.0];
 pub(crate) fn library(inputs: &Inputs) -> Library<'static> {
     let (p, squared): (Vec<_>, Vec<_>) = warped(inputs).iter().map(|row| (row.p, row.p_squared)).unzip();
     let medium = &inputs.parameters.medium;
-    let sine = libm::sin(0.5 * medium.theta_f_deg.to_radians());
     let tested = |value: &dyn Fn(f64) -> f64| {
         cases(&TESTED_DEG.iter().map(|theta_deg| literal(value(*theta_deg))).collect::<Vec<_>>())
     };
     let places = [
         ("COUNT", COUNT.to_string()),
         ("WIDE_SCALE", literal(1.0 / (1.0 - medium.forward_fraction))),
-        ("WIDE_EDGE", literal(2.0 * sine * sine)),
+        ("WIDE_EDGE", literal(versine(medium.theta_f_deg))),
         ("TEST_COUNT", TESTED_DEG.len().to_string()),
-        ("TEST_V", tested(&|theta_deg| 2.0 * libm::pow(libm::sin(0.5 * theta_deg.to_radians()), 2.0))),
+        ("TEST_V", tested(&versine)),
         ("TEST_P", tested(&|theta_deg| looked_up(&p, theta_deg))),
         ("TEST_SQUARED", tested(&|theta_deg| looked_up(&squared, theta_deg))),
     ];
@@ -53,11 +52,16 @@ fn head(inputs: &Inputs, p: &[f64], squared: &[f64]) -> String {
         + &resampling("squared", &inputs.phase.squared, squared)
 }
 
+/// 1 - cosΘ of Θ in degrees.
+fn versine(theta_deg: f64) -> f64 {
+    let sine = libm::sin(0.5 * theta_deg.to_radians());
+    2.0 * sine * sine
+}
+
 /// The warped grid at Θ, linear in the coordinate.
 fn looked_up(grid: &[f64], theta_deg: f64) -> f64 {
-    let place = coordinate(theta_deg) * (COUNT - 1) as f64;
-    let cell = (place as usize).min(COUNT - 2);
-    grid[cell] + (grid[cell + 1] - grid[cell]) * (place - cell as f64)
+    let (cell, share) = place(theta_deg, grid.len());
+    grid[cell] + (grid[cell + 1] - grid[cell]) * share
 }
 
 /// Relative error of the grid at the rows of the table.

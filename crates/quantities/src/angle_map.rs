@@ -26,6 +26,13 @@ pub fn coordinate(theta_deg: f64) -> f64 {
     if theta_deg < 90.0 { half(theta_deg) } else { 1.0 - half(180.0 - theta_deg) }
 }
 
+/// Where Θ lies among `texels` values at equal steps of u: the left one, and the share of the right one.
+pub fn place(theta_deg: f64, texels: usize) -> (usize, f64) {
+    let place = coordinate(theta_deg) * (texels - 1) as f64;
+    let cell = (place as usize).min(texels - 2);
+    (cell, place - cell as f64)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,7 +6,7 @@ use super::provenance;
 use crate::CliError;
 use crate::config::Config;
 use std::path::Path;
-use stratiform_artifact::{read_csv, read_json, write_csv, write_json};
+use stratiform_artifact::{ParametersDocument, read_csv, read_json, write_csv, write_json};
 use stratiform_codegen::{Inputs, PhaseTables};
 
 /// The files, in the order of the fields.
@@ -29,14 +29,19 @@ pub fn read(folder: &Path) -> Result<Inputs, CliError> {
     })
 }
 
+/// Whether `parameters` were made from the optics, transport and fit of `config`.
+pub fn belong(parameters: &ParametersDocument, config: &Config) -> bool {
+    parameters.provenance.config_hash == provenance(config).config_hash
+}
+
 /// Reads `folder` if what is in it was made from `config`.
 ///
 /// # Errors
 /// As [`read`]; [`CliError::Failed`] if it was made from another config's optics, transport or fit.
 pub fn read_for(config: &Config, folder: &Path) -> Result<Inputs, CliError> {
     let inputs = read(folder)?;
-    let (found, expected) = (&inputs.parameters.provenance.config_hash, provenance(config).config_hash);
-    if *found != expected {
+    if !belong(&inputs.parameters, config) {
+        let (found, expected) = (&inputs.parameters.provenance.config_hash, provenance(config).config_hash);
         return Err(CliError::Failed(format!(
             "{}: the accepted parameters are of another config (hash {found}, this one's optics, transport and fit have \
              {expected}): run `stratiform reproduce` on it, look at the result, and copy its folder `accepted` there",

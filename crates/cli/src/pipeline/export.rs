@@ -1,7 +1,7 @@
 //! What is exported of a config: its cloud's phase functions, and the accepted parameters.
 
 use super::optics::{ensembles, optics_error};
-use super::{accepted, input_error, provenance};
+use super::{accepted, input_error};
 use crate::CliError;
 use crate::config::Config;
 use std::path::Path;
@@ -32,7 +32,7 @@ pub fn accepted_parameters(config: &Config, path: &Path) -> Result<Option<Parame
         return Ok(None);
     }
     let document: ParametersDocument = read_json(&file)?;
-    if document.provenance.config_hash != provenance(config).config_hash {
+    if !accepted::belong(&document, config) {
         return Ok(None);
     }
     let place = |error| input_error(error).at(&file.display().to_string());

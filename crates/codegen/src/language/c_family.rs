@@ -265,8 +265,10 @@ impl Printer<'_> {
             ("select", [no, yes, condition]) => format!("({condition} ? {yes} : {no})"),
             ("f32" | "u32", [value]) if self.dialect.c => {
                 let kind = if name == "f32" { self.dialect.float } else { self.dialect.uint };
-                let name = matches!(arguments[0], Expr::Name(_));
-                if name { format!("({kind}){value}") } else { format!("({kind})({value})") }
+                match &arguments[0] {
+                    Expr::Name(_) => format!("({kind}){value}"),
+                    _ => format!("({kind})({value})"),
+                }
             }
             ("f32", [value]) => format!("{}({value})", self.dialect.float),
             ("u32", [value]) => format!("{}({value})", self.dialect.uint),

@@ -112,8 +112,7 @@ impl Target {
     }
 }
 
-/// Library text: `code` in the subset, which may call `externals` (name and result), each written for every target by
-/// hand in `glue`.
+/// A library before it is printed: `code` in the subset, which may call the one function of `glue`.
 pub(crate) struct Library<'a> {
     /// Comment lines.
     pub head: String,

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 /// (node, weight) of the rule with `n` points, exact for polynomials up to degree 2n-1.
-pub(crate) fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
+pub fn gauss_legendre(n: usize) -> Vec<(f64, f64)> {
     let count = n as f64;
     let rule = |i: usize| {
         let mut x = libm::cos(PI * (i as f64 + 0.75) / (count + 0.5));

@@ -14,6 +14,7 @@ mod read;
 mod table;
 
 pub use draine::Draine;
+pub use gauss::gauss_legendre;
 pub use henyey_greenstein::HenyeyGreenstein;
 pub use isotropic::Isotropic;
 pub use modified::Modified;
@@ -47,7 +48,13 @@ pub trait PhaseFunction: Send + Sync {
     }
 }
 
-/// Θ of v = 1 - cosΘ.
-fn angle(v: f64) -> f64 {
+/// Θ in radians of v = 1 - cosΘ ∈ \[0, 2\]; what rounding puts outside is taken to the end.
+pub fn angle(v: f64) -> f64 {
     2.0 * libm::asin((0.5 * v).clamp(0.0, 1.0).sqrt())
+}
+
+/// v = 1 - cosΘ of Θ in radians, with all its digits near 0: 2 sin²(Θ/2).
+pub fn versine(theta: f64) -> f64 {
+    let sine = libm::sin(0.5 * theta);
+    2.0 * sine * sine
 }

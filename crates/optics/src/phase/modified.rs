@@ -3,7 +3,7 @@
 //! P_S = P/(1-P_f) for Θ ≥ θ_f and 0 below, with P_f the probability of Θ < θ_f (Bouthors, Neyret & Lefebvre
 //! 2006, section 4.1, with the inequality turned the right way round).
 
-use super::PhaseFunction;
+use super::{PhaseFunction, versine};
 use std::sync::Arc;
 use stratiform_quantities::{DomainError, Range};
 
@@ -23,8 +23,7 @@ impl Modified {
     /// [`DomainError`] unless 0 < θ_f ≤ 90° and P_f < 1.
     pub fn new(inner: Arc<dyn PhaseFunction>, theta_f_deg: f64) -> Result<Self, DomainError> {
         let domain = Range { min_included: false, ..Range::closed(0.0, 90.0) };
-        let half = 0.5 * domain.check("modified (theta_f in degrees)", theta_f_deg)?.to_radians();
-        let edge = 2.0 * libm::sin(half) * libm::sin(half);
+        let edge = versine(domain.check("modified (theta_f in degrees)", theta_f_deg)?.to_radians());
         let share = Range { max_included: false, ..Range::closed(0.0, 1.0) };
         let forward_fraction = share.check("forward fraction", inner.cumulative(edge))?;
         Ok(Self { inner, edge, forward_fraction })

@@ -5,7 +5,7 @@
 //! form of [`cell`](super::cell), its inversion exact to rounding.
 
 use super::cell::Cell;
-use super::{PhaseFunction, angle, legendre};
+use super::{PhaseFunction, angle, legendre, versine};
 use crate::OpticsError;
 use stratiform_quantities::Range;
 
@@ -168,8 +168,7 @@ impl PhaseFunction for PhaseTable {
     }
 
     fn invert(&self, xi: f64) -> f64 {
-        let sine = libm::sin(0.5 * self.invert_theta(xi));
-        2.0 * sine * sine
+        versine(self.invert_theta(xi))
     }
 
     fn asymmetry(&self) -> f64 {

@@ -8,7 +8,7 @@ use crate::TablesError;
 use crate::read::{AngleUnit, Layout, Normalisation, RawTable, Understanding};
 use serde::{Deserialize, Serialize};
 use stratiform_optics::OpticsError;
-use stratiform_optics::phase::{Norm, PhaseFunction, PhaseTable};
+use stratiform_optics::phase::{Norm, PhaseFunction, PhaseTable, versine};
 use stratiform_quantities::angle_map::angle_deg;
 
 /// What a table is. Numbers of the phase function are those after unit, sign and convention have been undone.
@@ -230,11 +230,7 @@ fn follow(checks: &mut [Check]) {
 /// [`TablesError`] if a value is not finite, or the peak too sharp for so many angles (|g| above 0.999).
 pub fn tabulated(phase: &dyn PhaseFunction) -> Result<RawTable, TablesError> {
     let theta_deg: Vec<f64> = (0..4096).map(|i| angle_deg(f64::from(i) / 4095.0)).collect();
-    let versine = |theta: &f64| {
-        let sine = libm::sin(0.5 * theta.to_radians());
-        phase.value(2.0 * sine * sine)
-    };
-    let p = theta_deg.iter().map(versine).collect();
+    let p = theta_deg.iter().map(|theta| phase.value(versine(theta.to_radians()))).collect();
     let table = PhaseTable::new(theta_deg.clone(), p, Norm::Strict).map_err(|error| match error {
         OpticsError::NotNormalised { .. } => {
             let reason = format!("too sharp to be looked at in 4096 angles: {error}");

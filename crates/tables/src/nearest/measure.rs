@@ -6,7 +6,7 @@
 use super::{Blend, BlendPhase};
 use crate::TablesError;
 use crate::diagnosis::landmarks::Landmarks;
-use stratiform_optics::phase::{PhaseFunction, PhaseTable};
+use stratiform_optics::phase::{PhaseFunction, PhaseTable, versine};
 use stratiform_quantities::angle_map::angle_deg;
 
 /// Cells of the sphere.
@@ -18,11 +18,6 @@ pub(super) struct Sphere {
     cells: Vec<[f64; 3]>,
 }
 
-fn versine(theta_deg: f64) -> f64 {
-    let sine = libm::sin(0.5 * theta_deg.to_radians());
-    2.0 * sine * sine
-}
-
 impl Sphere {
     pub(super) fn new(table: &PhaseTable) -> Self {
         let theta = |half_steps: usize| angle_deg(half_steps as f64 / (2 * CELLS) as f64);
@@ -31,7 +26,7 @@ impl Sphere {
             // cos a - cos b = 2 sin((a+b)/2) sin((b-a)/2), half of it the share of the sphere.
             let (a, b) = (theta(2 * i).to_radians(), theta(2 * i + 2).to_radians());
             let share = libm::sin(0.5 * (a + b)) * libm::sin(0.5 * (b - a));
-            [versine(middle), share, table.at(middle.to_radians())]
+            [versine(middle.to_radians()), share, table.at(middle.to_radians())]
         };
         Self { cells: (0..CELLS).map(cell).collect() }
     }
@@ -85,9 +80,9 @@ pub fn measure(table: &PhaseTable, blend: Blend, theta_f_deg: f64) -> Result<Mea
     let with_error = |found: f64, truth: f64| [found, found - truth];
     let ratio = |theta_deg: f64| {
         let p = table.at(theta_deg.to_radians());
-        (p > 0.0).then(|| phase.value(versine(theta_deg)) / p)
+        (p > 0.0).then(|| phase.value(versine(theta_deg.to_radians())) / p)
     };
-    let forward = phase.cumulative(versine(theta_f_deg));
+    let forward = phase.cumulative(versine(theta_f_deg.to_radians()));
     Ok(Measured {
         total_variation: sphere.total_variation(&phase),
         log_rms: sphere.log_rms(&phase),

@@ -6,7 +6,7 @@
 
 use super::{tents, worth};
 use crate::card::Card;
-use stratiform_optics::phase::PhaseTable;
+use stratiform_optics::phase::{PhaseTable, versine};
 
 /// Relative error of the irregular form inside a cell.
 const REFINEMENT: f64 = 3e-5;
@@ -85,7 +85,7 @@ fn refined(table: &PhaseTable) -> Vec<(f64, f64)> {
 /// Appends the nodes of (`left`, `right`\].
 fn halve(all: &mut Vec<(f64, f64)>, left: (f64, f64), right: (f64, f64), depth: usize) {
     let middle = (0.5 * (left.0 + right.0), 0.5 * (left.1 + right.1));
-    let v = [left.0, middle.0, right.0].map(one_minus_cos);
+    let v = [left.0, middle.0, right.0].map(versine);
     let linear = left.1 + (right.1 - left.1) * (v[1] - v[0]) / (v[2] - v[0]);
     if depth == 0 || v[2] <= v[0] || (linear - middle.1).abs() <= REFINEMENT * middle.1 {
         all.push(right);
@@ -93,11 +93,6 @@ fn halve(all: &mut Vec<(f64, f64)>, left: (f64, f64), right: (f64, f64), depth: 
     }
     halve(all, left, middle, depth - 1);
     halve(all, middle, right, depth - 1);
-}
-
-fn one_minus_cos(theta: f64) -> f64 {
-    let sine = libm::sin(0.5 * theta);
-    2.0 * sine * sine
 }
 
 /// A node of the irregular form.
@@ -109,7 +104,7 @@ struct Node {
 
 /// Appends a node at the next smaller cosine that f32 can hold; the second value of a jump goes one step further.
 fn place(nodes: &mut Vec<Node>, theta: f64, p: f64) {
-    let mu = (1.0 - one_minus_cos(theta)) as f32;
+    let mu = (1.0 - versine(theta)) as f32;
     match nodes.last() {
         None => nodes.push(Node { theta, mu, p }),
         Some(last) if last.theta == theta => {

@@ -8,7 +8,7 @@
 use super::{PeerFile, text, worth};
 use crate::TablesError;
 use crate::card::Card;
-use stratiform_optics::phase::PhaseTable;
+use stratiform_optics::phase::{PhaseTable, versine};
 use stratiform_quantities::Range;
 
 /// Numbers of values that fit the program.
@@ -35,8 +35,7 @@ fn values(table: &PhaseTable, count: usize) -> Vec<f64> {
     let at = |i: usize| {
         // The probability of a smaller μ is that of a larger Θ.
         let theta = table.invert_theta((count + 1 - i) as f64 / (count + 1) as f64);
-        let sine = libm::sin(0.5 * theta);
-        f64::from((1.0 - 2.0 * sine * sine) as f32)
+        f64::from((1.0 - versine(theta)) as f32)
     };
     (1..=count).map(at).collect()
 }

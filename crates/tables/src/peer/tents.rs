@@ -7,15 +7,12 @@
 //! ∫Pφ_j/∫φ_j, plus what neighbours exchange, (p_j - p_{j+1})h/6; exchanges that would make a value negative are reduced
 //! there (Zalesak 1979, J. Comput. Phys. 31, 335). The integral stays, g is off by what is reported.
 
+use crate::sampled::Quadrature;
 use crate::tridiagonal;
-use stratiform_optics::phase::PhaseTable;
+use stratiform_optics::phase::{PhaseTable, angle, versine};
 
-/// Pieces of the quadrature are no wider, radians: three Gauss points are exact to rounding there.
-const WIDEST: f64 = 0.05;
-
-/// Gauss–Legendre on \[-1, 1\], three points.
-const GAUSS: [(f64, f64); 3] =
-    [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
+/// Cells of the quadrature are no wider, degrees.
+const WIDEST_DEG: f64 = 2.5;
 
 /// The values at 1 - μ = 2j/(count - 1), j = 0 … count - 1 from forward to back; none is negative.
 pub(super) fn fit(table: &PhaseTable, count: usize) -> Vec<f64> {
@@ -48,35 +45,20 @@ fn exchange(mass: &[f64], closest: &[f64]) -> Vec<f64> {
 
 /// ∫Pφ_j dμ.
 fn integrals(table: &PhaseTable, count: usize) -> Vec<f64> {
+    let last = (count - 1) as f64;
+    let nodes = (0..count).map(|j| angle(2.0 * j as f64 / last).to_degrees());
+    let between = (1..(180.0 / WIDEST_DEG) as usize).map(|i| WIDEST_DEG * i as f64);
     let mut mass = vec![0.0; count];
-    for (start, width) in pieces(table, count) {
-        let half = 0.5 * width;
-        for (node, weight) in GAUSS {
-            let theta = start + half * (1.0 + node);
-            let sine = libm::sin(0.5 * theta);
-            let place = sine * sine * (count - 1) as f64;
-            let j = (place as usize).min(count - 2);
-            let part = weight * half * table.at(theta) * libm::sin(theta);
-            let t = place - j as f64;
-            mass[j] += (1.0 - t) * part;
-            mass[j + 1] += t * part;
-        }
+    for (theta_deg, weight) in Quadrature::between(table, nodes.chain(between)).points {
+        let theta = theta_deg.to_radians();
+        let place = 0.5 * versine(theta) * last;
+        let j = (place as usize).min(count - 2);
+        let part = 2.0 * weight * table.at(theta);
+        let t = place - j as f64;
+        mass[j] += (1.0 - t) * part;
+        mass[j + 1] += t * part;
     }
     mass
-}
-
-/// Start and width of the intervals of Θ between the nodes of the table and of the tents, cut to [`WIDEST`].
-fn pieces(table: &PhaseTable, count: usize) -> Vec<(f64, f64)> {
-    let last = (count - 1) as f64;
-    let mut breaks: Vec<f64> = (0..count).map(|j| 2.0 * libm::asin((j as f64 / last).sqrt())).collect();
-    breaks.extend_from_slice(table.theta_rad());
-    breaks.sort_by(f64::total_cmp);
-    let cut = |cell: &[f64]| {
-        let (start, pieces) = (cell[0], ((cell[1] - cell[0]) / WIDEST).ceil());
-        let width = (cell[1] - cell[0]) / pieces;
-        (0..pieces as usize).map(move |piece| (start + width * piece as f64, width))
-    };
-    breaks.windows(2).filter(|cell| cell[1] > cell[0]).flat_map(cut).collect()
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::card::{Card, jumps_deg};
 use crate::sampled::Quadrature;
-use stratiform_optics::phase::PhaseTable;
+use stratiform_optics::phase::{PhaseTable, angle};
 
 /// The card of `p` of Θ in radians, smooth between `nodes_deg` (ascending); relative errors leave out the cell of a
 /// jump of the table and the cells beside it.
@@ -20,5 +20,5 @@ pub(super) fn card(table: &PhaseTable, nodes_deg: &[f64], p: impl Fn(f64) -> f64
 
 /// Θ of μ, degrees.
 pub(super) fn degrees(mu: f64) -> f64 {
-    2.0 * libm::asin((0.5 * (1.0 - mu)).clamp(0.0, 1.0).sqrt()).to_degrees()
+    angle(1.0 - mu).to_degrees()
 }

@@ -7,9 +7,9 @@
 //! beside a negative value until there is none.
 
 use super::Quadrature;
-use super::lookup::place;
 use crate::tridiagonal;
 use stratiform_optics::phase::PhaseTable;
+use stratiform_quantities::angle_map::place;
 
 /// ½∫ over each cell, between texel i and i+1.
 #[derive(Clone, Copy, Default)]

@@ -1,15 +1,10 @@
 //! ½∫ f sinΘ dΘ of what is smooth between the nodes of a table and the texels of its sampling.
 
 use super::theta_deg;
-use stratiform_optics::phase::PhaseTable;
+use stratiform_optics::phase::{PhaseTable, gauss_legendre};
 
-/// Abscissae and weights of Gauss and Legendre's rule with 4 points on \[-1, 1\] (Abramowitz & Stegun 1964, table 25.4).
-const GAUSS: [(f64, f64); 4] = [
-    (-0.861_136_311_594_053, 0.347_854_845_137_454),
-    (-0.339_981_043_584_856, 0.652_145_154_862_546),
-    (0.339_981_043_584_856, 0.652_145_154_862_546),
-    (0.861_136_311_594_053, 0.347_854_845_137_454),
-];
+/// Points of Gauss and Legendre's rule in each cell.
+const POINTS: usize = 4;
 
 /// Points and weights between the nodes of a table and the texels, both included as borders.
 pub(crate) struct Quadrature {
@@ -31,9 +26,10 @@ impl Quadrature {
         borders.extend(nodes);
         borders.sort_by(f64::total_cmp);
         borders.dedup();
+        let rule = gauss_legendre(POINTS);
         let points = borders.windows(2).flat_map(|cell| {
             let (middle, half) = (0.5 * (cell[0] + cell[1]), 0.5 * (cell[1] - cell[0]));
-            GAUSS.map(|(at, weight)| {
+            rule.iter().map(move |(at, weight)| {
                 let theta = middle + half * at;
                 (theta, 0.5 * weight * half.to_radians() * libm::sin(theta.to_radians()))
             })
