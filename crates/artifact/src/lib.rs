@@ -40,6 +40,6 @@ pub use parameters::{
 };
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
-pub use radiance::{Face, RadianceDocument, RadianceResult};
+pub use radiance::{RadianceDocument, RadianceResult};
 pub use solver_cost::SolverCostRow;
 pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};

@@ -2,17 +2,7 @@
 
 use crate::{Provenance, TracedMedium};
 use serde::{Deserialize, Serialize};
-use stratiform_quantities::Order;
-
-/// The face that light leaves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Face {
-    /// The lit one.
-    Top,
-    /// The other one.
-    Bottom,
-}
+use stratiform_quantities::{Order, Side};
 
 /// One row of `results`, and of the CSV.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,7 +17,7 @@ pub struct RadianceResult {
     /// Azimuth; at 0 light keeps the sun's.
     pub phi_deg: f64,
     /// The face it leaves.
-    pub side: Face,
+    pub side: Side,
     /// 1, 2 or `"total"`; the total is without unscattered light.
     pub order: Order,
     /// πL/(μ0 F0).

@@ -21,6 +21,7 @@
 //! * **Domain.** [`Parameters`] and [`Thickness`] refuse what lies outside. Results are never clamped: a value
 //!   that no flux can have is found by [`problems`].
 
+pub mod angular;
 pub mod asymptotic;
 mod brackets;
 pub mod derivatives;

@@ -24,10 +24,12 @@
 pub mod angle_map;
 mod domain;
 mod order;
+mod side;
 mod types;
 
 pub use domain::{DomainError, Range};
 pub use order::Order;
+pub use side::Side;
 pub use types::{
     Asymmetry, CosZenith, ExtinctionConvention, Incidence, Medium, OpticalThickness, SingleScatteringAlbedo,
 };

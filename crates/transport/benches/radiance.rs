@@ -6,9 +6,9 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 use stratiform_optics::phase::{Modified, Norm, PhaseTable};
-use stratiform_quantities::SingleScatteringAlbedo;
+use stratiform_quantities::{Side, SingleScatteringAlbedo};
 use stratiform_transport::TraceMedium;
-use stratiform_transport::solve::{RadianceSolver, Side, SolveMedium, View};
+use stratiform_transport::solve::{RadianceSolver, SolveMedium, View};
 
 fn main() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/accepted/phase_full.csv");

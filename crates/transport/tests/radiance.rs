@@ -8,11 +8,9 @@ use common::{beam, cloud, full, h_function, hg, isotropic, modified_cloud};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use stratiform_optics::phase::{PhaseFunction, Rayleigh};
-use stratiform_quantities::{Order, SingleScatteringAlbedo};
+use stratiform_quantities::{Order, Side, SingleScatteringAlbedo};
 use stratiform_transport::TransportError;
-use stratiform_transport::solve::{
-    RadianceOrder, RadianceSolver, Radiances, Side, SolveMedium, Solver, View,
-};
+use stratiform_transport::solve::{RadianceOrder, RadianceSolver, Radiances, SolveMedium, Solver, View};
 
 use RadianceOrder::{One, Total, Two};
 use Side::{Bottom, Top};

@@ -5,8 +5,8 @@
 mod common;
 
 use common::{cloud, modified_cloud};
-use stratiform_quantities::SingleScatteringAlbedo;
-use stratiform_transport::solve::{RadianceOrder, RadianceSolver, Radiances, Side, SolveMedium, View};
+use stratiform_quantities::{Side, SingleScatteringAlbedo};
+use stratiform_transport::solve::{RadianceOrder, RadianceSolver, Radiances, SolveMedium, View};
 
 use RadianceOrder::{Total, Two};
 use Side::{Bottom, Top};

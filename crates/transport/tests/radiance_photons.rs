@@ -8,9 +8,10 @@ use common::{Family, full, hg, modified_cloud};
 use glam::DVec3;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
+use stratiform_quantities::Side;
 use stratiform_stats::Estimate;
 use stratiform_transport::TraceMedium;
-use stratiform_transport::solve::{RadianceOrder, RadianceSolver, Side, SolveMedium, View};
+use stratiform_transport::solve::{RadianceOrder, RadianceSolver, SolveMedium, View};
 
 /// A slab lit along its sun's direction; z points down.
 struct Scene<'a> {

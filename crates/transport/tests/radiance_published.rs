@@ -9,9 +9,9 @@ use common::{hg, isotropic};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use stratiform_optics::phase::Rayleigh;
-use stratiform_quantities::SingleScatteringAlbedo;
+use stratiform_quantities::{Side, SingleScatteringAlbedo};
 use stratiform_reference_data::rows;
-use stratiform_transport::solve::{RadianceOrder, RadianceSolver, Side, SolveMedium, View};
+use stratiform_transport::solve::{RadianceOrder, RadianceSolver, SolveMedium, View};
 
 /// One intensity as listed.
 #[derive(serde::Deserialize)]

@@ -5,9 +5,9 @@ use crate::medium::Medium;
 use crate::output::Data;
 use crate::solve_args::SolveArgs;
 use crate::{CliError, pipeline};
-use stratiform_artifact::{Face, Provenance, RadianceDocument, RadianceResult, hash_of, to_csv, to_json};
-use stratiform_quantities::Incidence;
-use stratiform_transport::solve::{RadianceOrder, RadianceSolver, Radiances, Side, SolveMedium, View};
+use stratiform_artifact::{Provenance, RadianceDocument, RadianceResult, hash_of, to_csv, to_json};
+use stratiform_quantities::{Incidence, Side};
+use stratiform_transport::solve::{RadianceOrder, RadianceSolver, Radiances, SolveMedium, View};
 
 const METHOD: &str = "discrete ordinates per azimuthal mode, orders 1 and 2 with the full phase function; value is pi L/(mu0 F0) \
                       without unscattered light; std_error is the estimated absolute error, not a standard deviation";
@@ -95,7 +95,7 @@ fn rows(
                         mu0,
                         mu: view.mu,
                         phi_deg: view.phi_deg,
-                        side: if view.side == Side::Top { Face::Top } else { Face::Bottom },
+                        side: view.side,
                         order: order.into(),
                         value: estimate.value,
                         std_error: estimate.std_error,

@@ -32,6 +32,6 @@ mod solved;
 mod solver;
 
 pub use medium::SolveMedium;
-pub use radiance::{RadianceOrder, RadianceSolver, Radiances, Side, View};
+pub use radiance::{RadianceOrder, RadianceSolver, Radiances, View};
 pub use solved::Solved;
 pub use solver::Solver;

@@ -11,9 +11,9 @@ use crate::pipeline::fluxes::light;
 use crate::pipeline::reference::Media;
 use crate::{CliError, pipeline};
 use stratiform_model::table::cos_degrees;
-use stratiform_quantities::{Incidence, Medium, Order};
+use stratiform_quantities::{Incidence, Medium, Order, Side};
 use stratiform_stats::Estimate;
-use stratiform_transport::solve::{RadianceOrder, RadianceSolver, Side, View};
+use stratiform_transport::solve::{RadianceOrder, RadianceSolver, View};
 
 /// Rows of one medium and sun, with their places in the list of all.
 struct Group<'a> {

@@ -14,8 +14,9 @@ use super::panels::{Break, Rule};
 use super::phase::Phase;
 use super::scaled::Scaled;
 use super::single::exit;
-use super::view::{Geometry, Side};
+use super::view::Geometry;
 use std::f64::consts::{FRAC_PI_2, PI};
+use stratiform_quantities::Side;
 
 /// Points per panel: a rule is held against the two before.
 pub(super) const POINTS: [usize; 7] = [3, 4, 6, 9, 14, 21, 32];

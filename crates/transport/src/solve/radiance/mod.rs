@@ -33,4 +33,4 @@ mod view;
 
 pub use radiances::Radiances;
 pub use solver::RadianceSolver;
-pub use view::{RadianceOrder, Side, View};
+pub use view::{RadianceOrder, View};

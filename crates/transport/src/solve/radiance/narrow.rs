@@ -16,9 +16,10 @@ use super::panels::{Break, Rule};
 use super::phase::Phase;
 use super::scaled::Scaled;
 use super::single::exit;
-use super::view::{Geometry, Side};
+use super::view::Geometry;
 use crate::solve::quadrature::legendre_row;
 use std::f64::consts::PI;
+use stratiform_quantities::Side;
 
 /// Moments used.
 pub(super) const MOMENTS: usize = 1024;

@@ -7,7 +7,8 @@
 use super::depth::Exit;
 use super::phase::Phase;
 use super::scaled::Scaled;
-use super::view::{GRAZING, Geometry, Side};
+use super::view::{GRAZING, Geometry};
+use stratiform_quantities::Side;
 use stratiform_stats::Estimate;
 
 /// The slab as seen along `geometry`.

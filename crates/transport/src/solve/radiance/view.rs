@@ -1,19 +1,10 @@
 //! Directions in which radiance is asked for.
 
 use crate::TransportError;
-use stratiform_quantities::{Order, Range};
+use stratiform_quantities::{Order, Range, Side};
 
 /// Cosines below this are taken for it: the limit μ → 0, to about 1e-8.
 pub(super) const GRAZING: f64 = 1e-10;
-
-/// The face of the slab that light leaves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Side {
-    /// The lit face: reflected light.
-    Top,
-    /// The other face: transmitted light.
-    Bottom,
-}
 
 /// A direction in which light leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,0 +1,1 @@
+//! The cheapest method that meets a budget, from chart data on disk.

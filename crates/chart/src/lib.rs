@@ -1,0 +1,1 @@
+//! Error against cost of every method, over scenes; and the atlas of where each breaks.
