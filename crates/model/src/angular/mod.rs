@@ -16,7 +16,7 @@
 //!
 //! * **Media.** I1, I2 and I3+ belong to the modified medium; I0 to the full one.
 //! * **Accuracy.** Nothing cancels and nothing overflows for x from 0 to 1e4 and μ from 1e-4 to 1, in f32 and f64:
-//!   relative error below (10 + 3X) ε, absolute below the smallest normal number. At μ_l = 0 the limit is taken.
+//!   relative error of the weights below (4 + 2m) ε (m only where light goes through), until they underflow to 0. At μ_l = 0 the limit is taken.
 //! * **What it is worth** against exact radiance: I1 exact in the modified medium; I2 and I3+ as the module of energy
 //!   books in the tests says.
 
