@@ -4,6 +4,7 @@
 //! both keep every bit of an `f64`. Field names carry units. A file appears whole or not at all.
 
 mod agreement;
+mod angular_books;
 mod atomic;
 mod convergence;
 mod curves;
@@ -22,6 +23,7 @@ mod solver_cost;
 mod table;
 
 pub use agreement::{AgreementDocument, AgreementRow};
+pub use angular_books::{AngularBooksRow, AngularForm};
 pub use atomic::{create_folder, read_text, write_atomic};
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};

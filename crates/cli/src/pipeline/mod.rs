@@ -3,10 +3,12 @@
 
 pub mod accepted;
 mod agreement;
+pub mod angular_books;
 mod convergence;
 mod curves;
 pub mod export;
 pub mod fluxes;
+pub mod hemisphere;
 pub mod ladder;
 mod notes;
 pub mod optics;
