@@ -1,4 +1,4 @@
-//! The chain in order: optics, reference, fit, codegen, witness, agreement, ladder, convergence, notes, report. Each stage leaves files and is
+//! The chain in order: optics, reference, fit, codegen, witness, agreement, ladder, convergence, angular books, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;

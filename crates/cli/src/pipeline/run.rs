@@ -3,8 +3,8 @@
 use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
-    accepted, agreement, convergence, curves, fluxes, input_error, ladder, notes, optics, published,
-    quadrature, source,
+    accepted, agreement, angular_books, convergence, curves, fluxes, input_error, ladder, notes, optics,
+    published, quadrature, source,
 };
 use crate::CliError;
 use crate::config::{Config, Source};
@@ -103,12 +103,22 @@ impl Chain<'_> {
         self.agreement(work, parameters)?;
         self.ladder(work, parameters)?;
         self.convergence(work, &before)?;
+        work.stage("angular-books", &before, |dir| angular_books::write(config, cloud, parameters, dir))?;
         work.stage("notes", &(&before, provenance, config.published_table), |dir| {
             notes(config, document, cloud, parameters, provenance, dir)
         })?;
-        let inputs =
-            ["optics", "reference", "fit", "agreement", "ladder", "convergence", "quadrature", "notes"]
-                .map(|stage| work.hash_of_stage(stage));
+        let stages = [
+            "optics",
+            "reference",
+            "fit",
+            "agreement",
+            "ladder",
+            "convergence",
+            "quadrature",
+            "angular-books",
+            "notes",
+        ];
+        let inputs = stages.map(|stage| work.hash_of_stage(stage));
         work.stage("report", &inputs, report)?;
         talk.say(format!("\n{}\n", ladder::table(&read_csv::<LadderRow>(&work.dir().join("ladder.csv"))?)));
         if let Some(agreement) = agreement::read(work.dir()) {
