@@ -1,4 +1,4 @@
-//! The chain in order: optics, reference, fit, codegen, witness, agreement, ladder, convergence, notes, report. Each stage leaves files and is
+//! The chain in order: optics, reference, fit, codegen, witness, agreement, ladder, convergence, principal plane, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;
@@ -10,6 +10,7 @@ pub mod fluxes;
 pub mod ladder;
 mod notes;
 pub mod optics;
+mod principal_plane;
 mod published;
 mod quadrature;
 pub mod reference;
