@@ -17,6 +17,7 @@ mod optics;
 mod orders;
 mod parameters;
 mod place;
+mod principal_plane;
 mod provenance;
 mod quadrature;
 mod radiance;
@@ -42,6 +43,7 @@ pub use parameters::{
     ParametersDocument, RowIncidence,
 };
 pub use place::{key_line, line_of};
+pub use principal_plane::{PlaneOrder, PlaneSource, PrincipalPlaneRow};
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
 pub use radiance::{RadianceDocument, RadianceResult};
