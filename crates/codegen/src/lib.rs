@@ -8,6 +8,7 @@
 //! | --- | --- |
 //! | `stratiform.*` | the one-dimensional model over (μ_l, optical thickness), with its table and self-test, a [`Target`] each |
 //! | `stratiform_phase.*` | look-up of the phase functions, likewise |
+//! | `stratiform_radiance.*` | the angular model of radiance, on top of both, likewise |
 //! | `stratiform_self_test.{wgsl,spv}` | compute entry point that evaluates the model over a buffer |
 //! | `self_test.json` | inputs for it and the f64 model's outputs |
 //! | `parameters.json`, `parameters.csv` | the parameters, with errors and flags |
@@ -23,6 +24,7 @@ pub mod language;
 mod node_error;
 mod phase;
 mod phase_library;
+mod radiance_library;
 mod self_test;
 mod shader;
 mod spirv;
@@ -51,8 +53,9 @@ pub fn generate(inputs: &Inputs, targets: &[Target]) -> Result<Files, CodegenErr
     let tables = tables::files(inputs)?.into_iter().chain(phase::files(inputs)?);
     files.extend(tables.map(|(name, text)| (name, text.into_bytes())));
     files.push(("self_test.json".to_owned(), self_test::document(inputs)?.into_bytes()));
-    let fluxes = shader::library(inputs)?;
-    let libraries = [&fluxes, &phase_library::library(inputs)];
+    let (fluxes, phase) = (shader::library(inputs)?, phase_library::library(inputs));
+    let radiance = radiance_library::library(inputs, &fluxes, &phase);
+    let libraries = [&fluxes, &phase, &radiance];
     for (library, target) in libraries.iter().flat_map(|library| targets.iter().map(move |t| (library, *t))) {
         if let (Some(text), Some(extension)) = (language::translate(library, target)?, target.extension()) {
             files.push((format!("{}.{extension}", library.name), text.into_bytes()));

@@ -31,8 +31,9 @@ pub(crate) fn library(inputs: &Inputs) -> Library<'static> {
     let table: Vec<_> = p.iter().chain(&squared).map(|value| literal(*value)).collect();
     let wavelength_um = medium.wavelength_um;
     let text = Box::new(move |target| access(target, &table, wavelength_um));
-    let glue = Glue { function: "stratiform_phase_texel", owner: "StratiformPhase", text };
-    Library { head: head(inputs, &p, &squared), name: "stratiform_phase", code, glue: Some(glue) }
+    let glue = Some(Glue { function: "stratiform_phase_texel", text });
+    let (head, owner) = (head(inputs, &p, &squared), Some("StratiformPhase"));
+    Library { head, name: "stratiform_phase", code, owner, glue, needs: Vec::new() }
 }
 
 fn head(inputs: &Inputs, p: &[f64], squared: &[f64]) -> String {

@@ -16,7 +16,7 @@ pub(crate) fn library(inputs: &Inputs) -> Result<Library<'static>, CodegenError>
         banner(inputs, "Fluxes of a stratiform layer: the one-dimensional model of Bouthors et al. 2006.");
     head.push_str(&header(inputs)?);
     let code = constants(inputs) + &functions(inputs)? + &accessors() + &embedded_test::text(inputs)?;
-    Ok(Library { head, name: "stratiform", code, glue: None })
+    Ok(Library { head, name: "stratiform", code, owner: None, glue: None, needs: Vec::new() })
 }
 
 fn header(inputs: &Inputs) -> Result<String, CodegenError> {
@@ -174,12 +174,21 @@ fn functions(inputs: &Inputs) -> Result<String, CodegenError> {
         ("NODE_MUS", cases(&mus)),
         ("INTERVAL", interval),
         ("DIFFUSE", structure(&diffuse_values(optical)?)),
-        ("TAIL_TERMS", f32::TAIL_TERMS.to_string()),
+        ("EXP_TAIL", exp_tail()),
         ("E1_TERMS", f32::E1_TERMS.to_string()),
         ("E3_DEPTH", f32::E3_DEPTH.to_string()),
         ("E3_START", (2 * f32::E3_DEPTH + 3).to_string()),
     ];
     Ok(fill(include_str!("wgsl/model.wgsl"), &places))
+}
+
+/// Horner's scheme of Σ (-y)^k / (k+2)!.
+fn exp_tail() -> String {
+    let factorial = |n: u32| (1..=n).map(f64::from).product::<f64>();
+    let term = |k: u32| literal(if k % 2 == 0 { 1.0 } else { -1.0 } / factorial(k + 2));
+    let first = format!("var sum = {};", term(f32::TAIL_TERMS));
+    let rest = (0..f32::TAIL_TERMS).rev().map(|k| format!("sum = sum * y + {};", term(k)));
+    std::iter::once(first).chain(rest).collect::<Vec<_>>().join("\n    ").replace("+ -", "- ")
 }
 
 /// The members of StratiformFluxes.
