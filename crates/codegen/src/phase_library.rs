@@ -54,13 +54,13 @@ fn head(inputs: &Inputs, p: &[f64], squared: &[f64]) -> String {
 }
 
 /// 1 - cosΘ of Θ in degrees.
-fn versine(theta_deg: f64) -> f64 {
+pub(crate) fn versine(theta_deg: f64) -> f64 {
     let sine = libm::sin(0.5 * theta_deg.to_radians());
     2.0 * sine * sine
 }
 
 /// The warped grid at Θ, linear in the coordinate.
-fn looked_up(grid: &[f64], theta_deg: f64) -> f64 {
+pub(crate) fn looked_up(grid: &[f64], theta_deg: f64) -> f64 {
     let (cell, share) = place(theta_deg, grid.len());
     grid[cell] + (grid[cell + 1] - grid[cell]) * share
 }

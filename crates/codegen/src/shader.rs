@@ -174,21 +174,11 @@ fn functions(inputs: &Inputs) -> Result<String, CodegenError> {
         ("NODE_MUS", cases(&mus)),
         ("INTERVAL", interval),
         ("DIFFUSE", structure(&diffuse_values(optical)?)),
-        ("EXP_TAIL", exp_tail()),
         ("E1_TERMS", f32::E1_TERMS.to_string()),
         ("E3_DEPTH", f32::E3_DEPTH.to_string()),
         ("E3_START", (2 * f32::E3_DEPTH + 3).to_string()),
     ];
     Ok(fill(include_str!("wgsl/model.wgsl"), &places))
-}
-
-/// Horner's scheme of Σ (-y)^k / (k+2)!.
-fn exp_tail() -> String {
-    let factorial = |n: u32| (1..=n).map(f64::from).product::<f64>();
-    let term = |k: u32| literal(if k % 2 == 0 { 1.0 } else { -1.0 } / factorial(k + 2));
-    let first = format!("var sum = {};", term(f32::TAIL_TERMS));
-    let rest = (0..f32::TAIL_TERMS).rev().map(|k| format!("sum = sum * y + {};", term(k)));
-    std::iter::once(first).chain(rest).collect::<Vec<_>>().join("\n    ").replace("+ -", "- ")
 }
 
 /// The members of StratiformFluxes.

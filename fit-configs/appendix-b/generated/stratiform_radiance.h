@@ -8,10 +8,14 @@
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
 // Use        stratiform_radiance.h: include it, in as many places as you like; C99 or C++11 and later; link with -lm; it wants stratiform.h, stratiform_phase.h beside it.
-// Unit       reflectance factor pi L / (mu_l F0) of light of the sun, F0 its irradiance normal to the beam. Finite
-//            at grazing light but for the isotropic shape at a grazing view.
+// Check      stratiform_radiance_self_test() returns the number of wrong values: 0, each held to
+//            1e-4 (0.02 + |value|).
+// Unit       reflectance factor pi L / (mu_l F0) of the sun's light, F0 its irradiance normal to the beam.
 // Sight      mu_l, mu_v: cosines of sun and viewer to the slab's normal, both positive. v = 1 - cosTheta =
 //            |V + L|^2 / 2 of unit vectors to viewer and sun. top: both are on the same side of the slab.
+// Orders     count scattering by more than theta_f. Sums leave out the sun's disc and the halo around it.
+// Domain     mu_l in [0, 1], mu_v in (0, 1], v in [0, 2], tau in [0, 1e6]; the isotropic shape grows as 1 / mu_v.
+//            three_plus falls below 0 where r_three_plus or t_three_plus does, and is not clamped.
 // Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
 
 #ifndef STRATIFORM_RADIANCE_H
@@ -62,12 +66,12 @@ static inline StratiformWeights stratiform_weights_top(float mu_l, float mu_v, f
 static inline StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
     float sun = fmaxf(mu_l, STRATIFORM_GRAZING);
     float view = fmaxf(mu_v, STRATIFORM_GRAZING);
-    float depth = STRATIFORM_KAPPA_S * tau;
-    float shortest = depth / fmaxf(sun, view);
-    // Nowhere 0, so that the mean over equal lengths is their limit.
-    float spread = fmaxf(fabsf(depth / sun - depth / view), 1e-12f);
-    StratiformBrackets b = stratiform_brackets(spread);
-    float share = depth / (sun * view) * expf(-shortest) / spread;
+    float scale = STRATIFORM_KAPPA_S * tau / sun / view;
+    float shortest = STRATIFORM_KAPPA_S * tau / fmaxf(sun, view);
+    // Nowhere 0: the mean over equal lengths is the limit of this one.
+    float apart = fmaxf(fabsf(sun - view), 1e-9f * sun);
+    StratiformBrackets b = stratiform_brackets(scale * apart);
+    float share = expf(-shortest) / apart;
     StratiformWeights result = {share * b.rise, share * (shortest * b.rise + b.once_each)};
     return result;
 }
@@ -140,5 +144,165 @@ static inline float stratiform_radiance_from_factor(float factor, float mu_l) {
     return 0.31830989f * mu_l * factor;
 }
 
+// ---- self-test ---------------------------------------------------------------------------------------------------
+
+// Where vector i looks.
+typedef struct StratiformSight {
+    float mu_l;
+    float mu_v;
+    float v;
+    float tau;
+} StratiformSight;
+
+// Vector i; its shape is i % 3.
+static inline StratiformSight stratiform_radiance_test_sight(uint32_t i) {
+    switch (i) {
+        case 0u: {
+            StratiformSight result = {0.8f, 0.6f, 1.5f, 0.5f};
+            return result;
+        }
+        case 1u: {
+            StratiformSight result = {0.8f, 0.8f, 0.009731932f, 2.0f};
+            return result;
+        }
+        case 2u: {
+            StratiformSight result = {0.4f, 0.9f, 0.5f, 30.0f};
+            return result;
+        }
+        case 3u: {
+            StratiformSight result = {0.9f, 0.2f, 1.7880107f, 5.0f};
+            return result;
+        }
+        case 4u: {
+            StratiformSight result = {0.3f, 0.3f, 0.1339746f, 0.01f};
+            return result;
+        }
+        case 5u: {
+            StratiformSight result = {0.1f, 0.7f, 1.9848077f, 0.2f};
+            return result;
+        }
+        case 6u: {
+            StratiformSight result = {0.6f, 0.6f, 0.00015230484f, 1.0f};
+            return result;
+        }
+        case 7u: {
+            StratiformSight result = {1.0f, 1.0f, 2.0f, 10.0f};
+            return result;
+        }
+        default: {
+            StratiformSight result = {0.7f, 0.5f, 0.06030738f, 3.0f};
+            return result;
+        }
+    }
+}
+
+// What the model gives for vector i in double precision at the lit face.
+static inline StratiformOrders stratiform_radiance_test_top(uint32_t i) {
+    switch (i) {
+        case 0u: {
+            StratiformOrders result = {0.008012779f, 0.004113148f, 0.0083502615f};
+            return result;
+        }
+        case 1u: {
+            StratiformOrders result = {2.8692431f, 0.36067113f, 0.079427704f};
+            return result;
+        }
+        case 2u: {
+            StratiformOrders result = {0.10006595f, 0.10166462f, 0.81992763f};
+            return result;
+        }
+        case 3u: {
+            StratiformOrders result = {0.122788295f, 0.047490846f, 0.5207195f};
+            return result;
+        }
+        case 4u: {
+            StratiformOrders result = {0.06209362f, 0.00049618713f, 0.0011343521f};
+            return result;
+        }
+        case 5u: {
+            StratiformOrders result = {0.0673647f, 0.029391455f, 0.058696438f};
+            return result;
+        }
+        case 6u: {
+            StratiformOrders result = {0.0f, 0.40930188f, 0.055802595f};
+            return result;
+        }
+        case 7u: {
+            StratiformOrders result = {0.15220927f, 0.03276588f, 0.3558768f};
+            return result;
+        }
+        default: {
+            StratiformOrders result = {1.6122363f, 0.5075184f, 0.14793153f};
+            return result;
+        }
+    }
+}
+
+// At the other face.
+static inline StratiformOrders stratiform_radiance_test_bottom(uint32_t i) {
+    switch (i) {
+        case 0u: {
+            StratiformOrders result = {0.0078096865f, 0.0046015913f, 0.012824214f};
+            return result;
+        }
+        case 1u: {
+            StratiformOrders result = {2.141532f, 0.45358282f, 0.16039747f};
+            return result;
+        }
+        case 2u: {
+            StratiformOrders result = {3.322525e-9f, 6.473105e-8f, 0.2103631f};
+            return result;
+        }
+        case 3u: {
+            StratiformOrders result = {0.009328439f, 0.014536819f, 1.1083244f};
+            return result;
+        }
+        case 4u: {
+            StratiformOrders result = {0.0620902f, 0.0004991841f, 0.0015171667f};
+            return result;
+        }
+        case 5u: {
+            StratiformOrders result = {0.065520294f, 0.031718384f, 0.14571162f};
+            return result;
+        }
+        case 6u: {
+            StratiformOrders result = {0.0f, 0.5023666f, 0.049679887f};
+            return result;
+        }
+        case 7u: {
+            StratiformOrders result = {0.00711155f, 0.008349385f, 0.53927404f};
+            return result;
+        }
+        default: {
+            StratiformOrders result = {0.5697442f, 0.50040984f, 0.26874113f};
+            return result;
+        }
+    }
+}
+
+// 1 if value is off by more than 1e-4 (0.02 + |expected|), else 0.
+static inline uint32_t stratiform_radiance_wrong(float value, float expected) {
+    return (fabsf(value - expected) <= 1e-4f * (0.02f + fabsf(expected)) ? 0u : 1u);
+}
+
+// How many of the orders are wrong.
+static inline uint32_t stratiform_orders_wrong(StratiformOrders found, StratiformOrders expected) {
+    return stratiform_radiance_wrong(found.one, expected.one)
+        + stratiform_radiance_wrong(found.two, expected.two)
+        + stratiform_radiance_wrong(found.three_plus, expected.three_plus);
+}
+
+// How many of the self-test's values are wrong: 0 if this file and those that it needs work together.
+static inline uint32_t stratiform_radiance_self_test(void) {
+    uint32_t wrong = 0u;
+    for (uint32_t i = 0u; i < 9u; i += 1u) {
+        StratiformSight s = stratiform_radiance_test_sight(i);
+        StratiformOrders top = stratiform_orders_top(s.mu_l, s.mu_v, s.v, s.tau, i % 3u);
+        StratiformOrders bottom = stratiform_orders_bottom(s.mu_l, s.mu_v, s.v, s.tau, i % 3u);
+        wrong += stratiform_orders_wrong(top, stratiform_radiance_test_top(i));
+        wrong += stratiform_orders_wrong(bottom, stratiform_radiance_test_bottom(i));
+    }
+    return wrong;
+}
 
 #endif /* STRATIFORM_RADIANCE_H */

@@ -8,10 +8,14 @@
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
 // Use        stratiform_radiance.rs: make it a module of your crate; edition 2021 or later; it wants stratiform.rs, stratiform_phase.rs beside it.
-// Unit       reflectance factor pi L / (mu_l F0) of light of the sun, F0 its irradiance normal to the beam. Finite
-//            at grazing light but for the isotropic shape at a grazing view.
+// Check      stratiform_radiance_self_test() returns the number of wrong values: 0, each held to
+//            1e-4 (0.02 + |value|).
+// Unit       reflectance factor pi L / (mu_l F0) of the sun's light, F0 its irradiance normal to the beam.
 // Sight      mu_l, mu_v: cosines of sun and viewer to the slab's normal, both positive. v = 1 - cosTheta =
 //            |V + L|^2 / 2 of unit vectors to viewer and sun. top: both are on the same side of the slab.
+// Orders     count scattering by more than theta_f. Sums leave out the sun's disc and the halo around it.
+// Domain     mu_l in [0, 1], mu_v in (0, 1], v in [0, 2], tau in [0, 1e6]; the isotropic shape grows as 1 / mu_v.
+//            three_plus falls below 0 where r_three_plus or t_three_plus does, and is not clamped.
 // Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
 
 #![allow(dead_code, missing_docs, clippy::excessive_precision, clippy::approx_constant)]
@@ -58,12 +62,12 @@ pub fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeigh
 pub fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
     let sun: f32 = mu_l.max(STRATIFORM_GRAZING);
     let view: f32 = mu_v.max(STRATIFORM_GRAZING);
-    let depth: f32 = STRATIFORM_KAPPA_S * tau;
-    let shortest: f32 = depth / sun.max(view);
-    // Nowhere 0, so that the mean over equal lengths is their limit.
-    let spread: f32 = (depth / sun - depth / view).abs().max(1e-12);
-    let b: StratiformBrackets = stratiform_brackets(spread);
-    let share: f32 = depth / (sun * view) * (-shortest).exp() / spread;
+    let scale: f32 = STRATIFORM_KAPPA_S * tau / sun / view;
+    let shortest: f32 = STRATIFORM_KAPPA_S * tau / sun.max(view);
+    // Nowhere 0: the mean over equal lengths is the limit of this one.
+    let apart: f32 = (sun - view).abs().max(1e-9 * sun);
+    let b: StratiformBrackets = stratiform_brackets(scale * apart);
+    let share: f32 = (-shortest).exp() / apart;
     StratiformWeights { once: share * b.rise, twice: share * (shortest * b.rise + b.once_each) }
 }
 
@@ -131,3 +135,85 @@ pub fn stratiform_radiance_from_factor(factor: f32, mu_l: f32) -> f32 {
     0.31830989 * mu_l * factor
 }
 
+// ---- self-test ---------------------------------------------------------------------------------------------------
+
+/// Where vector i looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StratiformSight {
+    pub mu_l: f32,
+    pub mu_v: f32,
+    pub v: f32,
+    pub tau: f32,
+}
+
+/// Vector i; its shape is i % 3.
+pub fn stratiform_radiance_test_sight(i: u32) -> StratiformSight {
+    match i {
+        0 => StratiformSight { mu_l: 0.8, mu_v: 0.6, v: 1.5, tau: 0.5 },
+        1 => StratiformSight { mu_l: 0.8, mu_v: 0.8, v: 0.009731932, tau: 2.0 },
+        2 => StratiformSight { mu_l: 0.4, mu_v: 0.9, v: 0.5, tau: 30.0 },
+        3 => StratiformSight { mu_l: 0.9, mu_v: 0.2, v: 1.7880107, tau: 5.0 },
+        4 => StratiformSight { mu_l: 0.3, mu_v: 0.3, v: 0.1339746, tau: 0.01 },
+        5 => StratiformSight { mu_l: 0.1, mu_v: 0.7, v: 1.9848077, tau: 0.2 },
+        6 => StratiformSight { mu_l: 0.6, mu_v: 0.6, v: 0.00015230484, tau: 1.0 },
+        7 => StratiformSight { mu_l: 1.0, mu_v: 1.0, v: 2.0, tau: 10.0 },
+        _ => StratiformSight { mu_l: 0.7, mu_v: 0.5, v: 0.06030738, tau: 3.0 },
+    }
+}
+
+/// What the model gives for vector i in double precision at the lit face.
+pub fn stratiform_radiance_test_top(i: u32) -> StratiformOrders {
+    match i {
+        0 => StratiformOrders { one: 0.008012779, two: 0.004113148, three_plus: 0.0083502615 },
+        1 => StratiformOrders { one: 2.8692431, two: 0.36067113, three_plus: 0.079427704 },
+        2 => StratiformOrders { one: 0.10006595, two: 0.10166462, three_plus: 0.81992763 },
+        3 => StratiformOrders { one: 0.122788295, two: 0.047490846, three_plus: 0.5207195 },
+        4 => StratiformOrders { one: 0.06209362, two: 0.00049618713, three_plus: 0.0011343521 },
+        5 => StratiformOrders { one: 0.0673647, two: 0.029391455, three_plus: 0.058696438 },
+        6 => StratiformOrders { one: 0.0, two: 0.40930188, three_plus: 0.055802595 },
+        7 => StratiformOrders { one: 0.15220927, two: 0.03276588, three_plus: 0.3558768 },
+        _ => StratiformOrders { one: 1.6122363, two: 0.5075184, three_plus: 0.14793153 },
+    }
+}
+
+/// At the other face.
+pub fn stratiform_radiance_test_bottom(i: u32) -> StratiformOrders {
+    match i {
+        0 => StratiformOrders { one: 0.0078096865, two: 0.0046015913, three_plus: 0.012824214 },
+        1 => StratiformOrders { one: 2.141532, two: 0.45358282, three_plus: 0.16039747 },
+        2 => StratiformOrders { one: 3.322525e-9, two: 6.473105e-8, three_plus: 0.2103631 },
+        3 => StratiformOrders { one: 0.009328439, two: 0.014536819, three_plus: 1.1083244 },
+        4 => StratiformOrders { one: 0.0620902, two: 0.0004991841, three_plus: 0.0015171667 },
+        5 => StratiformOrders { one: 0.065520294, two: 0.031718384, three_plus: 0.14571162 },
+        6 => StratiformOrders { one: 0.0, two: 0.5023666, three_plus: 0.049679887 },
+        7 => StratiformOrders { one: 0.00711155, two: 0.008349385, three_plus: 0.53927404 },
+        _ => StratiformOrders { one: 0.5697442, two: 0.50040984, three_plus: 0.26874113 },
+    }
+}
+
+/// 1 if value is off by more than 1e-4 (0.02 + |expected|), else 0.
+pub fn stratiform_radiance_wrong(value: f32, expected: f32) -> u32 {
+    if (value - expected).abs() <= 1e-4 * (0.02 + expected.abs()) { 0 } else { 1 }
+}
+
+/// How many of the orders are wrong.
+pub fn stratiform_orders_wrong(found: StratiformOrders, expected: StratiformOrders) -> u32 {
+    stratiform_radiance_wrong(found.one, expected.one)
+        + stratiform_radiance_wrong(found.two, expected.two)
+        + stratiform_radiance_wrong(found.three_plus, expected.three_plus)
+}
+
+/// How many of the self-test's values are wrong: 0 if this file and those that it needs work together.
+pub fn stratiform_radiance_self_test() -> u32 {
+    let mut wrong: u32 = 0;
+    let mut i: u32 = 0;
+    while i < 9 {
+        let s: StratiformSight = stratiform_radiance_test_sight(i);
+        let top: StratiformOrders = stratiform_orders_top(s.mu_l, s.mu_v, s.v, s.tau, i % 3);
+        let bottom: StratiformOrders = stratiform_orders_bottom(s.mu_l, s.mu_v, s.v, s.tau, i % 3);
+        wrong += stratiform_orders_wrong(top, stratiform_radiance_test_top(i));
+        wrong += stratiform_orders_wrong(bottom, stratiform_radiance_test_bottom(i));
+        i += 1;
+    }
+    wrong
+}

@@ -8,10 +8,14 @@
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
 // Use        stratiform_radiance.wgsl: paste it below stratiform.wgsl, stratiform_phase.wgsl.
-// Unit       reflectance factor pi L / (mu_l F0) of light of the sun, F0 its irradiance normal to the beam. Finite
-//            at grazing light but for the isotropic shape at a grazing view.
+// Check      stratiform_radiance_self_test() returns the number of wrong values: 0, each held to
+//            1e-4 (0.02 + |value|).
+// Unit       reflectance factor pi L / (mu_l F0) of the sun's light, F0 its irradiance normal to the beam.
 // Sight      mu_l, mu_v: cosines of sun and viewer to the slab's normal, both positive. v = 1 - cosTheta =
 //            |V + L|^2 / 2 of unit vectors to viewer and sun. top: both are on the same side of the slab.
+// Orders     count scattering by more than theta_f. Sums leave out the sun's disc and the halo around it.
+// Domain     mu_l in [0, 1], mu_v in (0, 1], v in [0, 2], tau in [0, 1e6]; the isotropic shape grows as 1 / mu_v.
+//            three_plus falls below 0 where r_three_plus or t_three_plus does, and is not clamped.
 // Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
 
 // Cosines below this are taken for it: the limit of grazing light.
@@ -51,12 +55,12 @@ fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
 fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
     let sun = max(mu_l, STRATIFORM_GRAZING);
     let view = max(mu_v, STRATIFORM_GRAZING);
-    let depth = STRATIFORM_KAPPA_S * tau;
-    let shortest = depth / max(sun, view);
-    // Nowhere 0, so that the mean over equal lengths is their limit.
-    let spread = max(abs(depth / sun - depth / view), 1e-12);
-    let b = stratiform_brackets(spread);
-    let share = depth / (sun * view) * exp(-shortest) / spread;
+    let scale = STRATIFORM_KAPPA_S * tau / sun / view;
+    let shortest = STRATIFORM_KAPPA_S * tau / max(sun, view);
+    // Nowhere 0: the mean over equal lengths is the limit of this one.
+    let apart = max(abs(sun - view), 1e-9 * sun);
+    let b = stratiform_brackets(scale * apart);
+    let share = exp(-shortest) / apart;
     return StratiformWeights(share * b.rise, share * (shortest * b.rise + b.once_each));
 }
 
@@ -126,3 +130,82 @@ fn stratiform_radiance_from_factor(factor: f32, mu_l: f32) -> f32 {
     return 0.31830989 * mu_l * factor;
 }
 
+// ---- self-test ---------------------------------------------------------------------------------------------------
+
+// Where vector i looks.
+struct StratiformSight {
+    mu_l: f32,
+    mu_v: f32,
+    v: f32,
+    tau: f32,
+}
+
+// Vector i; its shape is i % 3.
+fn stratiform_radiance_test_sight(i: u32) -> StratiformSight {
+    switch i {
+        case 0u: { return StratiformSight(0.8, 0.6, 1.5, 0.5); }
+        case 1u: { return StratiformSight(0.8, 0.8, 0.009731932, 2.0); }
+        case 2u: { return StratiformSight(0.4, 0.9, 0.5, 30.0); }
+        case 3u: { return StratiformSight(0.9, 0.2, 1.7880107, 5.0); }
+        case 4u: { return StratiformSight(0.3, 0.3, 0.1339746, 0.01); }
+        case 5u: { return StratiformSight(0.1, 0.7, 1.9848077, 0.2); }
+        case 6u: { return StratiformSight(0.6, 0.6, 0.00015230484, 1.0); }
+        case 7u: { return StratiformSight(1.0, 1.0, 2.0, 10.0); }
+        default: { return StratiformSight(0.7, 0.5, 0.06030738, 3.0); }
+    }
+}
+
+// What the model gives for vector i in double precision at the lit face.
+fn stratiform_radiance_test_top(i: u32) -> StratiformOrders {
+    switch i {
+        case 0u: { return StratiformOrders(0.008012779, 0.004113148, 0.0083502615); }
+        case 1u: { return StratiformOrders(2.8692431, 0.36067113, 0.079427704); }
+        case 2u: { return StratiformOrders(0.10006595, 0.10166462, 0.81992763); }
+        case 3u: { return StratiformOrders(0.122788295, 0.047490846, 0.5207195); }
+        case 4u: { return StratiformOrders(0.06209362, 0.00049618713, 0.0011343521); }
+        case 5u: { return StratiformOrders(0.0673647, 0.029391455, 0.058696438); }
+        case 6u: { return StratiformOrders(0.0, 0.40930188, 0.055802595); }
+        case 7u: { return StratiformOrders(0.15220927, 0.03276588, 0.3558768); }
+        default: { return StratiformOrders(1.6122363, 0.5075184, 0.14793153); }
+    }
+}
+
+// At the other face.
+fn stratiform_radiance_test_bottom(i: u32) -> StratiformOrders {
+    switch i {
+        case 0u: { return StratiformOrders(0.0078096865, 0.0046015913, 0.012824214); }
+        case 1u: { return StratiformOrders(2.141532, 0.45358282, 0.16039747); }
+        case 2u: { return StratiformOrders(3.322525e-9, 6.473105e-8, 0.2103631); }
+        case 3u: { return StratiformOrders(0.009328439, 0.014536819, 1.1083244); }
+        case 4u: { return StratiformOrders(0.0620902, 0.0004991841, 0.0015171667); }
+        case 5u: { return StratiformOrders(0.065520294, 0.031718384, 0.14571162); }
+        case 6u: { return StratiformOrders(0.0, 0.5023666, 0.049679887); }
+        case 7u: { return StratiformOrders(0.00711155, 0.008349385, 0.53927404); }
+        default: { return StratiformOrders(0.5697442, 0.50040984, 0.26874113); }
+    }
+}
+
+// 1 if value is off by more than 1e-4 (0.02 + |expected|), else 0.
+fn stratiform_radiance_wrong(value: f32, expected: f32) -> u32 {
+    return select(1u, 0u, abs(value - expected) <= 1e-4 * (0.02 + abs(expected)));
+}
+
+// How many of the orders are wrong.
+fn stratiform_orders_wrong(found: StratiformOrders, expected: StratiformOrders) -> u32 {
+    return stratiform_radiance_wrong(found.one, expected.one)
+        + stratiform_radiance_wrong(found.two, expected.two)
+        + stratiform_radiance_wrong(found.three_plus, expected.three_plus);
+}
+
+// How many of the self-test's values are wrong: 0 if this file and those that it needs work together.
+fn stratiform_radiance_self_test() -> u32 {
+    var wrong = 0u;
+    for (var i = 0u; i < 9u; i += 1u) {
+        let s = stratiform_radiance_test_sight(i);
+        let top = stratiform_orders_top(s.mu_l, s.mu_v, s.v, s.tau, i % 3u);
+        let bottom = stratiform_orders_bottom(s.mu_l, s.mu_v, s.v, s.tau, i % 3u);
+        wrong += stratiform_orders_wrong(top, stratiform_radiance_test_top(i));
+        wrong += stratiform_orders_wrong(bottom, stratiform_radiance_test_bottom(i));
+    }
+    return wrong;
+}

@@ -35,12 +35,12 @@ fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
 fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
     let sun = max(mu_l, STRATIFORM_GRAZING);
     let view = max(mu_v, STRATIFORM_GRAZING);
-    let depth = STRATIFORM_KAPPA_S * tau;
-    let shortest = depth / max(sun, view);
-    // Nowhere 0, so that the mean over equal lengths is their limit.
-    let spread = max(abs(depth / sun - depth / view), 1e-12);
-    let b = stratiform_brackets(spread);
-    let share = depth / (sun * view) * exp(-shortest) / spread;
+    let scale = STRATIFORM_KAPPA_S * tau / sun / view;
+    let shortest = STRATIFORM_KAPPA_S * tau / max(sun, view);
+    // Nowhere 0: the mean over equal lengths is the limit of this one.
+    let apart = max(abs(sun - view), 1e-9 * sun);
+    let b = stratiform_brackets(scale * apart);
+    let share = exp(-shortest) / apart;
     return StratiformWeights(share * b.rise, share * (shortest * b.rise + b.once_each));
 }
 
@@ -110,3 +110,58 @@ fn stratiform_radiance_from_factor(factor: f32, mu_l: f32) -> f32 {
     return 0.31830989 * mu_l * factor;
 }
 
+// ---- self-test ---------------------------------------------------------------------------------------------------
+
+// Where vector i looks.
+struct StratiformSight {
+    mu_l: f32,
+    mu_v: f32,
+    v: f32,
+    tau: f32,
+}
+
+// Vector i; its shape is i % 3.
+fn stratiform_radiance_test_sight(i: u32) -> StratiformSight {
+    switch i {
+@SIGHTS@
+    }
+}
+
+// What the model gives for vector i in double precision at the lit face.
+fn stratiform_radiance_test_top(i: u32) -> StratiformOrders {
+    switch i {
+@TOP@
+    }
+}
+
+// At the other face.
+fn stratiform_radiance_test_bottom(i: u32) -> StratiformOrders {
+    switch i {
+@BOTTOM@
+    }
+}
+
+// 1 if value is off by more than 1e-4 (0.02 + |expected|), else 0.
+fn stratiform_radiance_wrong(value: f32, expected: f32) -> u32 {
+    return select(1u, 0u, abs(value - expected) <= 1e-4 * (0.02 + abs(expected)));
+}
+
+// How many of the orders are wrong.
+fn stratiform_orders_wrong(found: StratiformOrders, expected: StratiformOrders) -> u32 {
+    return stratiform_radiance_wrong(found.one, expected.one)
+        + stratiform_radiance_wrong(found.two, expected.two)
+        + stratiform_radiance_wrong(found.three_plus, expected.three_plus);
+}
+
+// How many of the self-test's values are wrong: 0 if this file and those that it needs work together.
+fn stratiform_radiance_self_test() -> u32 {
+    var wrong = 0u;
+    for (var i = 0u; i < @COUNT@u; i += 1u) {
+        let s = stratiform_radiance_test_sight(i);
+        let top = stratiform_orders_top(s.mu_l, s.mu_v, s.v, s.tau, i % 3u);
+        let bottom = stratiform_orders_bottom(s.mu_l, s.mu_v, s.v, s.tau, i % 3u);
+        wrong += stratiform_orders_wrong(top, stratiform_radiance_test_top(i));
+        wrong += stratiform_orders_wrong(bottom, stratiform_radiance_test_bottom(i));
+    }
+    return wrong;
+}
