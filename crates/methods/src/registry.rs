@@ -34,7 +34,12 @@ fn plain<M: Method + 'static>(stem: &'static str, make: impl Fn() -> M + 'static
     Entry { stem, knob: None, make: Box::new(move |_| Box::new(make())) }
 }
 
-fn turned<M: Method + 'static>(stem: &'static str, knob: Knob, usual: f64, make: impl Fn(f64) -> M + 'static) -> Entry {
+fn turned<M: Method + 'static>(
+    stem: &'static str,
+    knob: Knob,
+    usual: f64,
+    make: impl Fn(f64) -> M + 'static,
+) -> Entry {
     let knob = Knob { usual: Some(usual), ..knob };
     Entry { stem, knob: Some(knob), make: Box::new(move |value| Box::new(make(value.unwrap_or(usual)))) }
 }
