@@ -20,7 +20,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("fit", &["quantities", "stats", "artifact", "model"]),
     ("codegen", &["quantities", "artifact", "model"]),
     ("methods", &["quantities", "stats", "artifact", "optics", "tables", "transport", "model"]),
-    ("scene", &["quantities"]),
+    ("scene", &["quantities", "artifact"]),
     ("chart", &["quantities", "stats", "artifact", "optics", "transport", "methods", "scene"]),
     ("advise", &["quantities", "artifact", "scene"]),
     ("gpu", &[]),

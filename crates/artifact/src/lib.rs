@@ -15,6 +15,7 @@ mod notes;
 mod optics;
 mod orders;
 mod parameters;
+mod place;
 mod provenance;
 mod quadrature;
 mod radiance;
@@ -38,6 +39,7 @@ pub use parameters::{
     FittedParameter, Flag, MediumRecord, Misfit, ParameterRow, ParameterTable, ParametersCsvRow,
     ParametersDocument, RowIncidence,
 };
+pub use place::{key_line, line_of};
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
 pub use radiance::{RadianceDocument, RadianceResult};

@@ -2,7 +2,7 @@
 
 use crate::CliError;
 use crate::args::PhaseCheckArgs;
-use crate::config::line_of;
+use stratiform_artifact::line_of;
 use crate::pipeline::input_error;
 use std::path::Path;
 use stratiform_artifact::{read_json, read_text};
