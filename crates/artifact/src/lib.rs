@@ -5,6 +5,7 @@
 
 mod agreement;
 mod atomic;
+mod chart;
 mod convergence;
 mod curves;
 mod error;
@@ -24,6 +25,7 @@ mod table;
 
 pub use agreement::{AgreementDocument, AgreementRow};
 pub use atomic::{create_folder, read_text, write_atomic};
+pub use chart::{ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, KnobRow};
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
