@@ -27,6 +27,7 @@ mod brackets;
 pub mod derivatives;
 mod error;
 mod exponential_integral;
+pub mod family;
 mod fluxes;
 mod parameters;
 mod problems;
