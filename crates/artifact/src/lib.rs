@@ -6,6 +6,7 @@
 mod agreement;
 mod angular_books;
 mod atomic;
+mod chart;
 mod convergence;
 mod curves;
 mod error;
@@ -27,6 +28,7 @@ mod table;
 pub use agreement::{AgreementDocument, AgreementRow};
 pub use angular_books::{AngularBooksRow, AngularForm};
 pub use atomic::{create_folder, read_text, write_atomic};
+pub use chart::{ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, KnobRow};
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
