@@ -6,6 +6,7 @@ mod agreement;
 mod convergence;
 mod curves;
 pub mod export;
+pub mod family;
 pub mod fluxes;
 pub mod ladder;
 mod notes;
