@@ -1,5 +1,5 @@
 //! `family-interpolation.csv`: at radii half-way between, tables interpolated in every coordinate; and the same from every
-//! second table, at the radii left out.
+//! second table, and from the first and the last alone, at the radii left out.
 
 use super::errors::{family, fluxes, from_table, rows as error_rows};
 use super::member::Computed;
@@ -14,8 +14,6 @@ use stratiform_model::family::RadiusCoordinate;
 /// [`CliError::Input`] for parameters out of the model's domain.
 pub fn rows(members: &[Computed], half_way: &[Computed]) -> Result<Vec<FamilyErrorRow>, CliError> {
     let all: Vec<&Computed> = members.iter().collect();
-    let second: Vec<&Computed> = members.iter().step_by(2).collect();
-    let left_out: Vec<&Computed> = members.iter().skip(1).step_by(2).collect();
     let mut rows = Vec::new();
     for computed in half_way {
         rows.extend(error_rows(
@@ -26,8 +24,13 @@ pub fn rows(members: &[Computed], half_way: &[Computed]) -> Result<Vec<FamilyErr
         )?);
     }
     rows.extend(interpolated(&all, &half_way.iter().collect::<Vec<_>>())?);
-    if second.len() > 1 {
-        rows.extend(interpolated(&second, &left_out)?);
+    for step in [2, members.len() - 1] {
+        let (kept, left_out): (Vec<_>, Vec<_>) = (0..).zip(&all).partition(|(i, _)| i % step == 0);
+        let [kept, left_out] =
+            [kept, left_out].map(|list| list.into_iter().map(|(_, one)| *one).collect::<Vec<_>>());
+        if kept.len() > 1 && kept.len() < all.len() {
+            rows.extend(interpolated(&kept, &left_out)?);
+        }
     }
     Ok(rows)
 }

@@ -29,7 +29,7 @@ use stratiform_artifact::{FamilyDocument, Provenance, hash_of, write_csv, write_
 use stratiform_model::family::RadiusCoordinate;
 
 /// The coordinate that `family-interpolation.csv` finds best, and emitted code uses.
-pub const COORDINATE: RadiusCoordinate = RadiusCoordinate::Logarithm;
+pub const COORDINATE: RadiusCoordinate = RadiusCoordinate::TwoThirds;
 
 /// The files, in the order of the table above.
 pub const FILES: [&str; 3] = ["family.json", "family-interpolation.csv", "family-scaling.csv"];
