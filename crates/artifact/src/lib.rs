@@ -10,6 +10,7 @@ mod chart;
 mod convergence;
 mod curves;
 mod error;
+mod family;
 mod hash;
 mod json;
 mod ladder;
@@ -32,6 +33,7 @@ pub use chart::{ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, Kn
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
+pub use family::{FamilyDocument, FamilyErrorRow, FamilyMember};
 pub use hash::{hash_bytes, hash_of};
 pub use json::{read_json, to_json, write_json};
 pub use ladder::LadderRow;

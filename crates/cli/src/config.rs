@@ -10,6 +10,10 @@
 //! code, but a fault of the solver would pass into the table); hence with `photons` given the table's incidences are also
 //! traced, and both tables must agree.
 
+mod family;
+
+pub use family::FamilyConfig;
+
 use crate::CliError;
 use crate::check::config::{CheckConfig, Refused};
 use serde::{Deserialize, Serialize};
@@ -42,6 +46,9 @@ pub struct Config {
     pub fit: FitConfig,
     /// Accepted artifacts and emitted text.
     pub codegen: CodegenConfig,
+    /// Other effective radii that get a table too; absent: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub family: Option<FamilyConfig>,
     /// How the convergence figures are made; absent: they are not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub convergence: Option<ConvergenceConfig>,
@@ -225,6 +232,7 @@ impl Config {
         self.transport.validate(&self.optics)?;
         self.convergence.iter().try_for_each(|convergence| convergence.validate(&self.fit))?;
         self.principal_plane.iter().try_for_each(PrincipalPlaneConfig::validate)?;
+        self.family.iter().try_for_each(|family| family.validate(&self.optics, &self.transport))?;
         self.check.validate()?;
         self.codegen.validate()?;
         let kappa = 1e6

@@ -7,6 +7,7 @@ pub mod angular_books;
 mod convergence;
 mod curves;
 pub mod export;
+pub mod family;
 pub mod fluxes;
 pub mod hemisphere;
 pub mod ladder;

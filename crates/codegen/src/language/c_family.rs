@@ -109,7 +109,8 @@ impl Printer<'_> {
         if parameters.is_empty() && self.dialect.c {
             parameters.push("void".to_owned());
         }
-        let (before, after) = if self.members.is_some() { ("", ") const {") } else { (self.dialect.function, ") {") };
+        let (before, after) =
+            if self.members.is_some() { ("", ") const {") } else { (self.dialect.function, ") {") };
         let open = format!("{before}{} {}(", self.kind(&function.result), function.name);
         let head = Broken { open, parts: parameters, joint: ", ", close: after.to_owned() };
         self.lines.push_broken("", &head, "");
