@@ -19,6 +19,7 @@ mod place;
 mod provenance;
 mod quadrature;
 mod radiance;
+mod radiance_parameters;
 mod solver_cost;
 mod table;
 
@@ -43,5 +44,6 @@ pub use place::{key_line, line_of};
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
 pub use radiance::{RadianceDocument, RadianceResult};
+pub use radiance_parameters::{RadianceFace, RadianceMisfit, RadianceParametersDocument, RadianceSample};
 pub use solver_cost::SolverCostRow;
 pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};
