@@ -1,4 +1,4 @@
-//! The chain in order: optics, reference, fit, codegen, witness, agreement, ladder, convergence, notes, report. Each stage leaves files and is
+//! The chain in order: optics, reference, fit, radiance, codegen, witness, agreement, ladder, convergence, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;
@@ -12,6 +12,7 @@ mod notes;
 pub mod optics;
 mod published;
 mod quadrature;
+mod radiance;
 pub mod reference;
 mod run;
 pub mod solved;
