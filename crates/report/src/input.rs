@@ -9,8 +9,8 @@ use serde::de::DeserializeOwned;
 use std::path::{Component, Path, PathBuf};
 use stratiform_artifact::{
     AgreementDocument, AgreementRow, ArtifactError, ConvergenceRow, CurvesRow, LadderRow, NotesDocument,
-    OpticsDocument, OrdersRow, ParametersDocument, PublishedRow, QuadratureRow, SolverCostRow, read_csv,
-    read_json,
+    OpticsDocument, OrdersRow, ParametersDocument, PrincipalPlaneRow, PublishedRow, QuadratureRow,
+    SolverCostRow, read_csv, read_json,
 };
 
 /// One row of a phase table.
@@ -36,6 +36,7 @@ pub struct Inputs {
     pub convergence: Option<Vec<ConvergenceRow>>,
     pub solver_cost: Option<Vec<SolverCostRow>>,
     pub quadrature: Option<Vec<QuadratureRow>>,
+    pub principal_plane: Option<Vec<PrincipalPlaneRow>>,
     pub published: Option<Vec<PublishedRow>>,
     pub curves: Option<Vec<CurvesRow>>,
     pub notes: Option<NotesDocument>,
@@ -49,6 +50,7 @@ pub mod optional {
     pub const CONVERGENCE: &str = "convergence.csv";
     pub const SOLVER_COST: &str = "solver_cost.csv";
     pub const QUADRATURE: &str = "optics/quadrature.csv";
+    pub const PRINCIPAL_PLANE: &str = "figures/principal-plane.csv";
     pub const PUBLISHED: &str = "published.csv";
     pub const CURVES: &str = "curves.csv";
     pub const NOTES: &str = "notes.json";
@@ -78,6 +80,7 @@ impl Inputs {
             convergence: optional_table(&dir.join(optional::CONVERGENCE), checks::convergence)?,
             solver_cost: optional_table(&dir.join(optional::SOLVER_COST), checks::solver_cost)?,
             quadrature: optional_table(&dir.join(optional::QUADRATURE), checks::quadrature)?,
+            principal_plane: optional_table(&dir.join(optional::PRINCIPAL_PLANE), checks::principal_plane)?,
             published: optional_table(&dir.join(optional::PUBLISHED), checks::published)?,
             curves: optional_table(&dir.join(optional::CURVES), checks::curves)?,
             optics,
@@ -176,6 +179,11 @@ impl Inputs {
             lacking(self.ladder.is_none(), "the ladder of approximations", optional::LADDER),
             lacking(self.convergence.is_none(), "the convergence figure", optional::CONVERGENCE),
             lacking(self.solver_cost.is_none(), "the cost of the solver", optional::SOLVER_COST),
+            lacking(
+                self.principal_plane.is_none(),
+                "radiance in the plane of the sun",
+                optional::PRINCIPAL_PLANE,
+            ),
             lacking(self.quadrature.is_none(), "the convergence of the size average", optional::QUADRATURE),
         ]
         .into_iter()

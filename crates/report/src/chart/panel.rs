@@ -3,7 +3,7 @@
 use super::label;
 use super::names::names;
 use super::series::Area;
-use super::{Scale, Series};
+use super::{Scale, Series, polar};
 use maud::{Markup, html};
 
 /// Font size of labels, in units.
@@ -65,6 +65,9 @@ impl Panel {
         let top = if self.title.is_empty() { TOP } else { TOP_WITH_TITLE };
         let (width, height) = (width - LEFT - RIGHT, height - top - BOTTOM);
         let area = Area { x: self.x.scale, y: self.y.scale, width, height };
+        if self.x.scale.is_round() {
+            return polar::draw(self, &area, x + LEFT, y + top);
+        }
         html! {
             g transform=(format!("translate({:.2} {:.2})", x + LEFT, y + top)) {
                 (self.ticks(&area))

@@ -57,6 +57,7 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
                         (drawn(named("agreement")))
                     }
                     section id="orders" { h2 { "Scattering orders" } (drawn(named("orders"))) }
+                    section id="plane" { h2 { "Radiance in the plane of the sun" } (drawn(named("plane"))) }
                     section id="why" { h2 { @if inputs.published.is_some() { "Why the published table differs" } @else { "The modified medium" } } (why::section(inputs)) }
                     section id="optics" {
                         h2 { "Droplets and phase functions" }
@@ -76,12 +77,13 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
 }
 
 fn contents() -> Markup {
-    const SECTIONS: [(&str, &str); 11] = [
+    const SECTIONS: [(&str, &str); 12] = [
         ("#appendix", "Parameters"),
         ("#misfit", "Misfit"),
         ("#ladder", "Ladder"),
         ("#agreement", "Agreement"),
         ("#orders", "Scattering orders"),
+        ("#plane", "Plane of the sun"),
         ("#why", "Medium and reasons"),
         ("#optics", "Optics"),
         ("#convergence", "Convergence"),
