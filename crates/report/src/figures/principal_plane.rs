@@ -105,24 +105,41 @@ impl Curves<'_> {
         [mark(glory, "A")].into_iter().chain(fogbow).chain([mark(-glory, "C")]).collect()
     }
 
-    /// A radius that shows all solved light; what a model has beyond runs out of the frame.
+    /// A little above the light at C: what grows beyond, towards the horizon, runs out of the frame.
     fn highest(&self) -> f64 {
-        let photons = self.total();
         let solved = self.solver().points;
-        1.08 * photons.iter().chain(&solved).fold(0.0, |most: f64, p| most.max(p.y))
+        let near = solved.iter().filter(|p| p.x <= self.scene.0);
+        1.25 * near.fold(0.0, |most: f64, p| most.max(p.y))
     }
 
-    /// Polar above, plain below.
+    /// Polar above, what a face sends out per solid angle; plain below, what an eye sees.
     fn panels(&self, title: &str, series: &[Series]) -> [Panel; 2] {
-        let scales = [Scale::half_circle(), Scale::linear([-90.0, 90.0]).with_step(30.0)];
-        scales.map(|x| Panel {
-            title: if x.is_round() { title.to_owned() } else { String::new() },
+        let panel = |title: &str, x, label, y, series| Panel {
+            title: title.to_owned(),
             x: Axis::new("view angle θ_{v} (degrees)", x),
-            y: Axis::new("πL/(μ_{l}F_{0}) (1)", Scale::from_zero(self.highest())),
-            series: series.to_vec(),
+            y: Axis::new(label, y),
+            series,
             marks: self.marks(),
-        })
+        };
+        let sent: Vec<Series> = series.iter().map(projected).collect();
+        let solved = projected(&self.solver()).points;
+        let longest = 1.15 * solved.iter().fold(0.0, |most: f64, p| most.max(p.y));
+        let circle = Scale::from_zero(longest);
+        let plain = Scale::linear([-90.0, 90.0]).with_step(30.0);
+        [
+            panel(title, Scale::half_circle(), "μ_{v} πL/(μ_{l}F_{0}) (1)", circle, sent),
+            panel("", plain, "πL/(μ_{l}F_{0}) (1)", Scale::from_zero(self.highest()), series.to_vec()),
+        ]
     }
+}
+
+/// The same times μ_v.
+fn projected(series: &Series) -> Series {
+    let point = |p: &Point| {
+        let mu = libm::cos(p.x.to_radians());
+        Point { y: mu * p.y, error: mu * p.error, ..*p }
+    };
+    Series { points: series.points.iter().map(point).collect(), ..series.clone() }
 }
 
 fn colour(order: PlaneOrder) -> &'static str {
@@ -181,7 +198,8 @@ fn rows(columns: Vec<[Panel; 2]>) -> Vec<Row> {
 }
 
 const WHERE: &str = "θ_{v} > 0: leaving light keeps the sun's azimuth; θ_{v} < 0: the sun's side. A: glory (θ_{v} = −θ_{l}). B: fogbow. C: \
-                     pseudo-specular (θ_{v} = θ_{l}). The BRDF is the value shown divided by π.";
+                     pseudo-specular (θ_{v} = θ_{l}). Polar: times μ_{v}, the light sent out per solid angle. Plain: the reflectance factor, π times the BRDF; its rise \
+                     towards the horizon runs out of the frame.";
 
 /// Figure 6.
 fn media(curves: &Curves) -> Figure {
