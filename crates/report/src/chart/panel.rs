@@ -72,9 +72,9 @@ impl Panel {
             g transform=(format!("translate({:.2} {:.2})", x + LEFT, y + top)) {
                 (self.ticks(&area))
                 svg width=(format!("{width:.2}")) height=(format!("{height:.2}")) {
+                    @for series in &self.series { (series.draw(&area)) }
                     @for mark in self.marks.iter().filter(|mark| mark.y.is_none()) { (draw_line(mark, &area)) }
                     @for name in names(&self.marks, &area) { (name.draw()) }
-                    @for series in &self.series { (series.draw(&area)) }
                 }
                 rect width=(format!("{width:.2}")) height=(format!("{height:.2}")) fill="none" stroke="#333" {}
                 (self.labels(&area))
