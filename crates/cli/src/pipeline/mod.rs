@@ -1,18 +1,23 @@
-//! The chain in order: optics, reference, fit, codegen, witness, agreement, ladder, convergence, principal plane, notes, report. Each stage leaves files and is
+//! The chain in order: optics, reference, fit, radiance, family, codegen, witness, agreement, ladder, convergence,
+//! principal plane, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;
 mod agreement;
+pub mod angular_books;
 mod convergence;
 mod curves;
 pub mod export;
+pub mod family;
 pub mod fluxes;
+pub mod hemisphere;
 pub mod ladder;
 mod notes;
 pub mod optics;
 mod principal_plane;
 mod published;
 mod quadrature;
+mod radiance;
 pub mod reference;
 mod run;
 pub mod solved;
