@@ -5,7 +5,7 @@ use crate::{ReportError, input::PhaseRow};
 use std::path::Path;
 use stratiform_artifact::{
     AgreementRow, AngularBooksRow, ArtifactError, ConvergenceRow, CurvesRow, LadderRow, OpticsDocument,
-    OrdersRow, ParametersDocument, PublishedRow, QuadratureRow, SolverCostRow, read_json,
+    OrdersRow, ParametersDocument, PrincipalPlaneRow, PublishedRow, QuadratureRow, SolverCostRow, read_json,
 };
 use stratiform_quantities::{Order, Range};
 
@@ -148,6 +148,23 @@ pub fn solver_cost(path: &Path, rows: &[SolverCostRow]) -> Result<(), ReportErro
                 ("tau", row.tau, NOT_NEGATIVE),
                 ("thicknesses", row.thicknesses as f64, POSITIVE),
                 ("seconds", row.seconds, NOT_NEGATIVE),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
+pub fn principal_plane(path: &Path, rows: &[PrincipalPlaneRow]) -> Result<(), ReportError> {
+    for (i, row) in rows.iter().enumerate() {
+        columns(
+            path,
+            Some(i),
+            &[
+                ("theta_l_deg", row.theta_l_deg, ANGLE),
+                ("thickness_m", row.thickness_m, POSITIVE),
+                ("theta_v_deg", row.theta_v_deg, Range::closed(-90.0, 90.0)),
+                ("value", row.value, FINITE),
+                ("std_error", row.std_error.unwrap_or_default(), NOT_NEGATIVE),
             ],
         )?;
     }

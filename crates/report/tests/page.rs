@@ -113,6 +113,7 @@ const OPTIONAL: [&str; 10] = [
     "ladder.csv",
     "convergence.csv",
     "solver_cost.csv",
+    "figures/principal-plane.csv",
     "optics/quadrature.csv",
     "angular-books.csv",
     "published.csv",

@@ -59,6 +59,7 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
                     }
                     section id="orders" { h2 { "Scattering orders" } (drawn(named("orders"))) }
                     section id="radiance" { h2 { "The energy of the angular model" } (angular::section(inputs.angular_books.as_deref())) }
+                    section id="plane" { h2 { "Radiance in the plane of the sun" } (drawn(named("plane"))) }
                     section id="why" { h2 { @if inputs.published.is_some() { "Why the published table differs" } @else { "The modified medium" } } (why::section(inputs)) }
                     section id="optics" {
                         h2 { "Droplets and phase functions" }
@@ -78,13 +79,14 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
 }
 
 fn contents() -> Markup {
-    const SECTIONS: [(&str, &str); 12] = [
+    const SECTIONS: [(&str, &str); 13] = [
         ("#appendix", "Parameters"),
         ("#misfit", "Misfit"),
         ("#ladder", "Ladder"),
         ("#agreement", "Agreement"),
         ("#orders", "Scattering orders"),
         ("#radiance", "Radiance"),
+        ("#plane", "Plane of the sun"),
         ("#why", "Medium and reasons"),
         ("#optics", "Optics"),
         ("#convergence", "Convergence"),

@@ -53,6 +53,8 @@ pub fn write(dir: &Path) {
     write_csv(&dir.join("solver_cost.csv"), &solver_cost()).unwrap();
     write_csv(&dir.join("optics/quadrature.csv"), &quadrature()).unwrap();
     write_csv(&dir.join("angular-books.csv"), &angular_books()).unwrap();
+    create_folder(&dir.join("figures")).unwrap();
+    write_csv(&dir.join("figures/principal-plane.csv"), &principal_plane()).unwrap();
     write_json(&dir.join("parameters.json"), &parameters()).unwrap();
     write_csv(&dir.join("published.csv"), &published()).unwrap();
     write_csv(&dir.join("curves.csv"), &curves()).unwrap();
@@ -387,6 +389,41 @@ pub fn solver_cost() -> Vec<SolverCostRow> {
                 thicknesses: count,
                 seconds: 1e-7 * (count * count) as f64,
             });
+        }
+    }
+    rows
+}
+
+pub fn principal_plane() -> Vec<PrincipalPlaneRow> {
+    use PlaneOrder::{Exactly, From, Total};
+    let orders = [Exactly(1), Exactly(2), From(3), Total];
+    let curves = [
+        (PlaneSource::Mc, Medium::Modified, &orders[..]),
+        (PlaneSource::Mc, Medium::Full, &orders[..]),
+        (PlaneSource::Model, Medium::Modified, &orders[..]),
+        (PlaneSource::Solver, Medium::Full, &orders[3..]),
+    ];
+    let mut rows = Vec::new();
+    for (theta_l_deg, thickness_m) in [(70.0, 100.0), (80.0, 5.0)] {
+        for (source, medium, orders) in curves {
+            for (n, order) in orders.iter().enumerate() {
+                for k in -11..=11 {
+                    let theta_v_deg = 8.0 * f64::from(k);
+                    let value = [0.1, 0.15, 0.25, 0.5][(n + 4 - orders.len()).min(3)] + 0.001 * theta_v_deg;
+                    let std_error = (source != PlaneSource::Model).then_some(0.01);
+                    let order = *order;
+                    rows.push(PrincipalPlaneRow {
+                        medium,
+                        theta_l_deg,
+                        thickness_m,
+                        theta_v_deg,
+                        order,
+                        value,
+                        std_error,
+                        source,
+                    });
+                }
+            }
         }
     }
     rows
