@@ -133,7 +133,8 @@ fn older_glsl_compiles() {
         let run = Run { library: &RADIANCE, table: None, input: &[], beside: &beside };
         let text = run.pasted(&emitted.text(&format!("stratiform_radiance.{ending}")));
         available(shaders::glsl_fragment(version, &RADIANCE, &text), &[]);
-        let broken = shaders::glsl_fragment(version, &RADIANCE, &text.replace("exp(-shortest)", "expo(-shortest)"));
+        let broken =
+            shaders::glsl_fragment(version, &RADIANCE, &text.replace("exp(-shortest)", "expo(-shortest)"));
         assert!(!matches!(broken, Ok(())), "{ending}: a planted slip");
     }
 }

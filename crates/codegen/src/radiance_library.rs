@@ -58,8 +58,10 @@ fn self_test(inputs: &Inputs) -> Result<[(&'static str, String); 4], CodegenErro
 }
 
 fn head(inputs: &Inputs) -> String {
-    banner(inputs, "Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.")
-        + "//\n\
+    banner(
+        inputs,
+        "Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.",
+    ) + "//\n\
            // Use        @USE@.\n\
            // Check      stratiform_radiance_self_test() returns the number of wrong values: 0, each held to\n\
            //            1e-4 (0.02 + |value|).\n\

@@ -73,7 +73,8 @@ pub struct Run<'a> {
 impl Run<'_> {
     /// The library's `text` below those that it needs, in place of including them.
     pub fn pasted(&self, text: &str) -> String {
-        let includes = |line: &&str| self.beside.iter().any(|(name, _)| **line == format!("#include \"{name}\""));
+        let includes =
+            |line: &&str| self.beside.iter().any(|(name, _)| **line == format!("#include \"{name}\""));
         let own: Vec<_> = text.lines().filter(|line| !includes(line)).collect();
         let above: String = self.beside.iter().map(|(_, text)| format!("{text}\n")).collect();
         above + &own.join("\n") + "\n"

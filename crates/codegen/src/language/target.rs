@@ -206,7 +206,8 @@ pub(crate) fn translate(library: &Library<'_>, target: Target) -> Result<Option<
         _ => glue + &print(None),
     };
     let (before, after) = frame(library, target, extension);
-    let usage = target.usage(&library.needs.iter().map(|n| format!("{}.{extension}", n.name)).collect::<Vec<_>>());
+    let usage =
+        target.usage(&library.needs.iter().map(|n| format!("{}.{extension}", n.name)).collect::<Vec<_>>());
     let head = library.head.replace("@USE@", &format!("{}.{extension}: {usage}", library.name));
     Ok(Some(format!("{head}\n{before}{code}{after}")))
 }
