@@ -19,6 +19,7 @@
 mod embedded_test;
 mod error;
 mod error_card;
+mod family_member;
 mod files;
 mod inputs;
 pub mod language;
@@ -37,6 +38,7 @@ pub mod usage;
 
 pub use error::CodegenError;
 pub use error_card::{ErrorCard, error_card};
+pub use family_member::family_member;
 pub use files::Files;
 pub use inputs::{Inputs, PhaseRow, PhaseTables, QUANTITIES, ReferencePoint};
 pub use language::{SubsetError, Target};

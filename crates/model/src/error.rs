@@ -22,4 +22,18 @@ pub enum ModelError {
         /// How many it has.
         rows: usize,
     },
+    /// Radii of a family that do not rise.
+    #[error("effective_radius_um = {next} follows {previous}: a family's radii must rise")]
+    UnsortedRadii {
+        /// The earlier radius, µm.
+        previous: f64,
+        /// The later one, µm.
+        next: f64,
+    },
+    /// A family that is too small to interpolate.
+    #[error("the family has {radii} effective radii: at least 2 are needed")]
+    TooFewRadii {
+        /// How many it has.
+        radii: usize,
+    },
 }

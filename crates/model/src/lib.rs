@@ -27,9 +27,11 @@ mod brackets;
 pub mod derivatives;
 mod error;
 mod exponential_integral;
+pub mod family;
 mod fluxes;
 mod parameters;
 mod problems;
+pub mod radiance;
 mod real;
 pub mod table;
 

@@ -87,10 +87,11 @@ impl<F: Real> Parameters<F> {
         Ok(Self { values: values.cast(), slope, light })
     }
 
-    /// Interpolation from `a` (weight 0) to `b` (weight 1) for a beam at `mu`: linear in b, t and in the reciprocals
+    /// Interpolation from `a` (weight 0) to `b` (weight 1): linear in b, t, κ_S, (1-β)/β and in the reciprocals
     /// 1/c, 1/κ_c, 1/r, none of which is infinite.
-    pub(crate) fn between(a: &Self, b: &Self, weight: F, mu: F) -> Self {
-        let mix = |of: fn(&Values<F>) -> F| of(&a.values) + (of(&b.values) - of(&a.values)) * weight;
+    pub(crate) fn between(a: &Self, b: &Self, weight: F, light: Light<F>) -> Self {
+        let between = |from: F, to: F| from + (to - from) * weight;
+        let mix = |of: fn(&Values<F>) -> F| between(of(&a.values), of(&b.values));
         let mix_reciprocal = |of: fn(&Values<F>) -> F| {
             let (from, to) = (of(&a.values), of(&b.values));
             from * to / (to + (from - to) * weight)
@@ -101,9 +102,11 @@ impl<F: Real> Parameters<F> {
             kappa_c: mix_reciprocal(|v| v.kappa_c),
             t: mix(|v| v.t),
             r: mix_reciprocal(|v| v.r),
-            ..a.values
+            kappa_s: mix(|v| v.kappa_s),
+            // Linear in 1/β is linear in (1-β)/β.
+            beta: mix_reciprocal(|v| v.beta),
         };
-        Self { values, slope: a.slope, light: Light::Beam(mu) }
+        Self { values, slope: between(a.slope, b.slope), light }
     }
 
     /// The numbers, in the precision of `F`.

@@ -5,6 +5,7 @@
 //! reciprocals are nearer to straight lines. Emitted shaders do the same; their
 //! header gives the error half-way between rows.
 
+use crate::parameters::Light;
 use crate::{ModelError, Parameters, Real, Values};
 use stratiform_quantities::{CosZenith, Incidence, Range};
 
@@ -74,6 +75,6 @@ impl<F: Real> ParameterGrid<F> {
         let i = inner.iter().filter(|node| mu < node.0).count();
         let ((mu_a, a), (mu_b, b)) = (&self.nodes[i], &self.nodes[i + 1]);
         let weight = (*mu_a - mu) / (*mu_a - *mu_b);
-        Ok(Parameters::between(a, b, weight, mu))
+        Ok(Parameters::between(a, b, weight, Light::Beam(mu)))
     }
 }

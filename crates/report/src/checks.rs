@@ -4,8 +4,8 @@
 use crate::{ReportError, input::PhaseRow};
 use std::path::Path;
 use stratiform_artifact::{
-    AgreementRow, ArtifactError, ConvergenceRow, CurvesRow, LadderRow, OpticsDocument, OrdersRow,
-    ParametersDocument, PublishedRow, QuadratureRow, SolverCostRow, read_json,
+    AgreementRow, AngularBooksRow, ArtifactError, ConvergenceRow, CurvesRow, LadderRow, OpticsDocument,
+    OrdersRow, ParametersDocument, PublishedRow, QuadratureRow, SolverCostRow, read_json,
 };
 use stratiform_quantities::{Order, Range};
 
@@ -204,6 +204,23 @@ pub fn quadrature(path: &Path, rows: &[QuadratureRow]) -> Result<(), ReportError
                 ("moments", row.moments, NOT_NEGATIVE),
                 ("phase_below_60_deg", row.phase_below_60_deg, NOT_NEGATIVE),
                 ("phase_beyond_60_deg", row.phase_beyond_60_deg, NOT_NEGATIVE),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
+pub fn angular_books(path: &Path, rows: &[AngularBooksRow]) -> Result<(), ReportError> {
+    for (i, row) in rows.iter().enumerate() {
+        columns(
+            path,
+            Some(i),
+            &[
+                ("theta_l_deg", row.theta_l_deg, ANGLE),
+                ("tau", row.tau, POSITIVE),
+                ("integral", row.integral, FINITE),
+                ("one_dimensional_model", row.one_dimensional_model, FINITE),
+                ("solver", row.solver, FINITE),
             ],
         )?;
     }

@@ -9,7 +9,7 @@
 
 use std::path::Path;
 use stratiform_artifact::*;
-use stratiform_quantities::{ExtinctionConvention, Medium};
+use stratiform_quantities::{ExtinctionConvention, Medium, Order, Side};
 use stratiform_stats::Estimate;
 
 /// θ_l, b, c, κ_c, t, r.
@@ -52,6 +52,7 @@ pub fn write(dir: &Path) {
     write_csv(&dir.join("convergence.csv"), &convergence()).unwrap();
     write_csv(&dir.join("solver_cost.csv"), &solver_cost()).unwrap();
     write_csv(&dir.join("optics/quadrature.csv"), &quadrature()).unwrap();
+    write_csv(&dir.join("angular-books.csv"), &angular_books()).unwrap();
     write_json(&dir.join("parameters.json"), &parameters()).unwrap();
     write_csv(&dir.join("published.csv"), &published()).unwrap();
     write_csv(&dir.join("curves.csv"), &curves()).unwrap();
@@ -407,6 +408,27 @@ pub fn quadrature() -> Vec<QuadratureRow> {
         }
     };
     (0..9).map(row).collect()
+}
+
+pub fn angular_books() -> Vec<AngularBooksRow> {
+    let mut rows = Vec::new();
+    for (theta_l_deg, tau) in [0.0, 40.0, 80.0].into_iter().flat_map(|theta| [(theta, 0.05), (theta, 5.0)]) {
+        let row = |side, order, form, integral| AngularBooksRow {
+            theta_l_deg,
+            tau,
+            side,
+            order,
+            form,
+            integral,
+            one_dimensional_model: 0.2,
+            solver: 0.2,
+        };
+        for side in Side::BOTH {
+            rows.push(row(side, Order::Exactly(2), AngularForm::Corrected, 0.21));
+            rows.push(row(side, Order::Exactly(2), AngularForm::AsPrintedPerUnit, 2.0));
+        }
+    }
+    rows
 }
 
 pub fn notes() -> NotesDocument {
