@@ -10,8 +10,11 @@
 //! | `bouthors-corrected` | refitted | corrected | Lambertian |
 //! | `bouthors-corrected-isotropic`, `-escape` | refitted | corrected | 1/(2μ_v), K(μ_v) |
 //!
-//! I0, light that met forward events only, is left out: below it is missing within θ_f of the sun. Both tables belong to one cloud: domain r_e = 7 µm,
-//! ω = 1, the thickness of the fit (1 m to 1 km: τ from 0.047 to 46) and θ_l up to 80°. P, P_S and P_S² are the cloud's.
+//! I0, light that met forward events only, is left out: below it is missing within θ_f of the sun. P, P_S and P_S² are the cloud's.
+//!
+//! Domain: r_e = 7 µm and ω = 1, the cloud of both tables; τ from 0.047 (the fit's 1 m), with appendix B from 1: thinner slabs get a
+//! negative R_3+ from it, and a negative radiance; θ_l up to 80°, refitted up to the horizon. Both were fitted up to τ = 46 and are
+//! extrapolated beyond, where T_ms falls like 1/τ as it must.
 //! Hufnagel & Held's class: mixed (4.1.6).
 
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
@@ -134,6 +137,21 @@ fn prepare<F: Scalar, P>(
     Ok(Bouthors { grid, unit, kappa_s, kappa_s_per_m, reading, phase })
 }
 
+/// Where both the table and the forms hold.
+fn domain(table: Table) -> Domain {
+    let (tau, mu_l) = match table {
+        Table::Published => (1.0, 0.1737),
+        Table::Refitted => (0.047, 1e-4),
+    };
+    Domain {
+        tau: Range::closed(tau, 1e4),
+        mu_l: Range::closed(mu_l, 1.0),
+        omega: Range::closed(1.0, 1.0),
+        r_eff_um: Range::closed(7.0, 7.0),
+        ..Domain::EVERYWHERE
+    }
+}
+
 /// With these parameters, read in this way.
 pub(crate) fn method(name: &str, title: &'static str, table: Table, reading: Reading) -> Simple {
     let card = Card {
@@ -141,13 +159,7 @@ pub(crate) fn method(name: &str, title: &'static str, table: Table, reading: Rea
         title,
         source: "Bouthors, Neyret & Lefebvre 2006, section 4 and appendices A and B",
         class: Class::Mixed,
-        domain: Domain {
-            tau: Range::closed(0.047, 46.0),
-            mu_l: Range::closed(0.1737, 1.0),
-            omega: Range::closed(1.0, 1.0),
-            r_eff_um: Range::closed(7.0, 7.0),
-            ..Domain::EVERYWHERE
-        },
+        domain: domain(table),
         radiance: true,
         flux: true,
         table_bytes: Some(2 * 4 * EMITTED_TEXELS + 10 * 6 * 4),
@@ -159,4 +171,56 @@ pub(crate) fn method(name: &str, title: &'static str, table: Table, reading: Rea
             single: InSingle(prepare(table, reading, cloud, Texels::<f32>::twice(cloud, EMITTED_TEXELS)?)?),
         }))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stratiform_quantities::Side;
+
+    /// Appendix A by hand at θ_l = 0, H = 100 m, with the row as printed: T_ms = (b + (1-b) e^-cH) β/(H - (H-1) β).
+    #[test]
+    fn the_published_table_gives_the_papers_transmittance() {
+        let angles = published(0.49 * KAPPA_PER_M).unwrap();
+        let grid = ParameterGrid::<f64>::new(&angles).unwrap();
+        let fluxes = grid.at(1.0).unwrap().fluxes(Form::Corrected, Thickness::new(100.0).unwrap());
+        let expected = (1.1796 - 0.1796 * libm::exp(-1.38)) * 0.9961 / (100.0 - 99.0 * 0.9961);
+        assert!((fluxes.t_ms / expected - 1.0).abs() < 1e-12);
+        assert!((KAPPA_PER_M - 0.04618).abs() < 5e-6, "{KAPPA_PER_M}");
+    }
+
+    /// I3+ alone: without phase functions the radiance of the isotropic shape is R_3+/(2μ_v), of the printed one half of it.
+    #[test]
+    fn emission_is_read_as_named() {
+        struct Nothing;
+        impl PhaseLookup<f64> for Nothing {
+            fn full(&self, _v: f64) -> f64 {
+                0.0
+            }
+            fn wide(&self, _v: f64) -> f64 {
+                0.0
+            }
+            fn wide_squared(&self, _v: f64) -> f64 {
+                0.0
+            }
+        }
+        let grid = ParameterGrid::new(&refitted().unwrap()).unwrap();
+        let model = |reading| Bouthors {
+            grid: grid.clone(),
+            unit: 1.0,
+            kappa_s: 0.5,
+            kappa_s_per_m: 0.02,
+            reading,
+            phase: Nothing,
+        };
+        let sight = Sight::new(0.8, 0.4, 90.0, Side::Top).unwrap();
+        let [isotropic, flat, printed] = [
+            Reading::Corrected(Emission::Isotropic),
+            Reading::Corrected(Emission::Lambertian),
+            Reading::Printed,
+        ]
+        .map(|reading| model(reading).radiance(20.0, &sight));
+        assert!((isotropic / flat - 1.0 / 0.8).abs() < 1e-12);
+        assert!((isotropic / printed - 2.0).abs() < 1e-12, "reflection: the same R_3+ in both forms");
+    }
 }
