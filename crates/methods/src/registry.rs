@@ -49,7 +49,11 @@ fn turned<M: Method + 'static>(
 }
 
 fn printed(stem: &'static str, title: &'static str, table: Table, reading: Reading) -> Entry {
-    plain(stem, move || bouthors::method(stem, title, table, reading))
+    let make = move |count: Option<f64>| -> Box<dyn Method> {
+        let texels = count.map(|count| count as usize);
+        Box::new(bouthors::method((stem, texels), title, table, reading))
+    };
+    Entry { stem, knob: Some(texels()), make: Box::new(make) }
 }
 
 fn bouthors(stem: &'static str, title: &'static str, table: Table, emission: Emission) -> Entry {
@@ -62,12 +66,15 @@ fn knob(counts: &'static str, range: Range, values: &'static [f64]) -> Knob {
 
 const TEXELS: Range = stratiform_tables::sampled::TEXELS;
 
+fn texels() -> Knob {
+    knob("texels", TEXELS, &[64.0, 128.0, 256.0, 512.0, 1024.0])
+}
+
 fn photons() -> Knob {
     knob("photons", Range::closed(2.0, 1e12), &[1e2, 1e3, 1e4, 1e5])
 }
 
 fn entries() -> Vec<Entry> {
-    let texels = || knob("texels", TEXELS, &[64.0, 128.0, 256.0, 512.0, 1024.0]);
     let octave_knob = knob("octaves", Range::closed(1.0, 32.0), &[1.0, 2.0, 3.0, 4.0, 8.0, 16.0]);
     let streams = knob("streams per hemisphere", Range::closed(2.0, 128.0), &[2.0, 4.0, 8.0, 16.0, 32.0]);
     let orders = knob("orders", Range::closed(1.0, 60.0), &[1.0, 2.0, 5.0, 10.0, 20.0, 60.0]);

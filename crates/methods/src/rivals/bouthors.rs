@@ -38,6 +38,9 @@ const STATED_FORWARD_FRACTION: f64 = 0.51;
 /// N0 π r_e² of the paper's cloud, 1/m.
 const KAPPA_PER_M: f64 = 300e6 * std::f64::consts::PI * 49e-12;
 
+/// b, 1/c, 1/κ_c, t, 1/r and μ_l of ten angles.
+const PARAMETER_BYTES: usize = 10 * 6 * 4;
+
 /// Which forms, and where I3+ goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Reading {
@@ -152,24 +155,39 @@ fn domain(table: Table) -> Domain {
     }
 }
 
-/// With these parameters, read in this way.
-pub(crate) fn method(name: &str, title: &'static str, table: Table, reading: Reading) -> Simple {
-    let card = Card {
-        name: name.to_owned(),
+fn card(name: String, title: &'static str, table: Table, texels: usize) -> Card {
+    Card {
+        name,
         title,
         source: "Bouthors, Neyret & Lefebvre 2006, section 4 and appendices A and B",
         class: Class::Mixed,
         domain: domain(table),
         radiance: true,
         flux: true,
-        table_bytes: Some(2 * 4 * EMITTED_TEXELS + 10 * 6 * 4),
-    };
-    Simple::new(card, move |card, cloud| {
-        Ok(Box::new(Shaded {
-            card: card.clone(),
-            double: prepare::<f64, _>(table, reading, cloud, Exact::twice(cloud)?)?,
-            single: InSingle(prepare(table, reading, cloud, Texels::<f32>::twice(cloud, EMITTED_TEXELS)?)?),
-        }))
+        table_bytes: Some(2 * 4 * texels + PARAMETER_BYTES),
+    }
+}
+
+/// With these parameters, read in this way. Phase functions are exact in double precision and on [`EMITTED_TEXELS`] in single; with
+/// `texels`, on that many in both.
+pub(crate) fn method(
+    (stem, texels): (&str, Option<usize>),
+    title: &'static str,
+    table: Table,
+    reading: Reading,
+) -> Simple {
+    let name = texels.map_or(stem.to_owned(), |texels| format!("{stem}:{texels}"));
+    let count = texels.unwrap_or(EMITTED_TEXELS);
+    Simple::new(card(name, title, table, count), move |card, cloud| {
+        let single = InSingle(prepare(table, reading, cloud, Texels::<f32>::twice(cloud, count)?)?);
+        let card = card.clone();
+        Ok(if texels.is_some() {
+            let double = prepare::<f64, _>(table, reading, cloud, Texels::<f64>::twice(cloud, count)?)?;
+            Box::new(Shaded { card, double, single })
+        } else {
+            let double = prepare::<f64, _>(table, reading, cloud, Exact::twice(cloud)?)?;
+            Box::new(Shaded { card, double, single })
+        })
     })
 }
 
