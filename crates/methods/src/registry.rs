@@ -48,7 +48,7 @@ fn turned<M: Method + 'static>(
     Entry { stem, knob: Some(knob), make: Box::new(move |value| Box::new(make(value.unwrap_or(usual)))) }
 }
 
-fn printed(stem: &'static str, title: &'static str, table: Table, reading: Reading) -> Entry {
+fn read(stem: &'static str, title: &'static str, table: Table, reading: Reading) -> Entry {
     let make = move |count: Option<f64>| -> Box<dyn Method> {
         let texels = count.map(|count| count as usize);
         Box::new(bouthors::method((stem, texels), title, table, reading))
@@ -57,7 +57,7 @@ fn printed(stem: &'static str, title: &'static str, table: Table, reading: Readi
 }
 
 fn bouthors(stem: &'static str, title: &'static str, table: Table, emission: Emission) -> Entry {
-    printed(stem, title, table, Reading::Corrected(emission))
+    read(stem, title, table, Reading::Corrected(emission))
 }
 
 fn knob(counts: &'static str, range: Range, values: &'static [f64]) -> Knob {
@@ -97,7 +97,7 @@ fn entries() -> Vec<Entry> {
         plain("delta-eddington", || two_stream::method(Closure::DeltaEddington)),
         plain("diffusion", || two_stream::method(Closure::Diffusion)),
         plain("asymptotic", asymptotic::method),
-        printed("bouthors-printed", "Bouthors 2006 as printed", Table::Published, Reading::Printed),
+        read("bouthors-printed", "Bouthors 2006 as printed", Table::Published, Reading::Printed),
         bouthors(
             "bouthors-published",
             "Bouthors 2006, published table",
@@ -122,6 +122,7 @@ fn entries() -> Vec<Entry> {
             Table::Refitted,
             Emission::Escape,
         ),
+        read("bouthors-corrected-halo", "The same, with the halo", Table::Refitted, Reading::WithHalo),
         // The better model takes its place here.
         turned("orders", orders, 2.0, |count| successive::method(count as u32)),
         turned("solver", streams, 16.0, |count| solver::method(count as usize)),

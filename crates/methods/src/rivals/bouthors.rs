@@ -9,23 +9,27 @@
 //! | `bouthors-published` | appendix B | corrected | Lambertian |
 //! | `bouthors-corrected` | refitted | corrected | Lambertian |
 //! | `bouthors-corrected-isotropic`, `-escape` | refitted | corrected | 1/(2μ_v), K(μ_v) |
+//! | `bouthors-corrected-halo` | refitted | corrected, with I0 (section 4.2) | Lambertian |
 //!
-//! I0, light that met forward events only, is left out: below it is missing within θ_f of the sun. P, P_S and P_S² are the cloud's.
+//! I0, light that met forward events only, is left out of the others: below it is missing near the sun. P, P_S and P_S² are the cloud's.
 //!
 //! Domain: r_e = 7 µm and ω = 1, the cloud of both tables; τ from 0.047 (the fit's 1 m), with appendix B from 1: thinner slabs get a
 //! negative R_3+ from it, and a negative radiance; θ_l up to 80°, refitted up to the horizon. Both were fitted up to τ = 46 and are
 //! extrapolated beyond, where T_ms falls like 1/τ as it must.
 //! Hufnagel & Held's class: mixed (4.1.6).
 
+use crate::halo::HaloTexels;
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
 use crate::scalar::Scalar;
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
 use crate::{Card, Class, Cloud, Domain, MethodError};
 use stratiform_artifact::{ParameterRow, ParametersDocument, PublishedRow};
+use stratiform_model::angular::halo::{Halo, Peak};
 use stratiform_model::angular::{Angular, Emission, PhaseLookup, Sight, as_printed};
 use stratiform_model::table::{Angle, ParameterGrid};
 use stratiform_model::{Fluxes, Form, Thickness, Values};
+use stratiform_optics::phase::versine;
 use stratiform_quantities::Range;
 
 const APPENDIX_B: &str = include_str!("../../../../reference-data/bouthors-2006/appendix-b.csv");
@@ -46,6 +50,8 @@ const PARAMETER_BYTES: usize = 10 * 6 * 4;
 pub(crate) enum Reading {
     Printed,
     Corrected(Emission),
+    /// I0 too, I3+ Lambertian.
+    WithHalo,
 }
 
 /// Which parameters.
@@ -65,6 +71,7 @@ struct Bouthors<F, P> {
     kappa_s_per_m: F,
     reading: Reading,
     phase: P,
+    halo: Option<(Peak<F>, HaloTexels<F>)>,
 }
 
 impl<F: Scalar, P: PhaseLookup<F>> Bouthors<F, P> {
@@ -82,8 +89,13 @@ impl<F: Scalar, P: PhaseLookup<F> + Send + Sync> Shade<F> for Bouthors<F, P> {
         let orders = self.model(tau, sight.mu_l).map(|fluxes| match self.reading {
             Reading::Printed => as_printed::orders(&slab, self.kappa_s_per_m, &self.phase, &fluxes),
             Reading::Corrected(emission) => slab.orders(&self.phase, &fluxes, emission),
+            Reading::WithHalo => slab.orders(&self.phase, &fluxes, Emission::Lambertian),
         });
-        orders.map_or(F::of(0.0), |orders| orders.total())
+        let halo = self
+            .halo
+            .as_ref()
+            .map_or(F::of(0.0), |(peak, shape)| Halo::new(&slab, tau, *peak).total(&self.phase, shape));
+        halo + orders.map_or(F::of(0.0), |orders| orders.total())
     }
 
     fn fluxes(&self, tau: F, mu_l: F) -> (F, F) {
@@ -128,7 +140,7 @@ fn prepare<F: Scalar, P>(
 ) -> Result<Bouthors<F, P>, MethodError> {
     let kept = match reading {
         Reading::Printed => 1.0 - STATED_FORWARD_FRACTION,
-        Reading::Corrected(_) => 1.0 - cloud.omega().get() * cloud.forward_fraction(),
+        Reading::Corrected(_) | Reading::WithHalo => 1.0 - cloud.omega().get() * cloud.forward_fraction(),
     };
     let kappa_s_per_m = kept * KAPPA_PER_M;
     let (angles, unit) = match table {
@@ -137,7 +149,14 @@ fn prepare<F: Scalar, P>(
     };
     let grid = ParameterGrid::new(&angles).map_err(|e| damaged(&e))?;
     let (unit, kappa_s, kappa_s_per_m) = (F::of(unit), F::of(kept), F::of(kappa_s_per_m));
-    Ok(Bouthors { grid, unit, kappa_s, kappa_s_per_m, reading, phase })
+    let halo = if reading == Reading::WithHalo { Some(halo(cloud)?) } else { None };
+    Ok(Bouthors { grid, unit, kappa_s, kappa_s_per_m, reading, phase, halo })
+}
+
+fn halo<F: Scalar>(cloud: &Cloud) -> Result<(Peak<F>, HaloTexels<F>), MethodError> {
+    let edge = F::of(versine(cloud.theta_f_deg().to_radians()));
+    let peak = Peak { forward_fraction: F::of(cloud.forward_fraction()), edge };
+    Ok((peak, HaloTexels::new(cloud)?))
 }
 
 /// Where both the table and the forms hold.
@@ -155,7 +174,8 @@ fn domain(table: Table) -> Domain {
     }
 }
 
-fn card(name: String, title: &'static str, table: Table, texels: usize) -> Card {
+fn card(name: String, title: &'static str, (table, reading): (Table, Reading), texels: usize) -> Card {
+    let halo = if reading == Reading::WithHalo { HaloTexels::<f32>::bytes() } else { 0 };
     Card {
         name,
         title,
@@ -164,7 +184,7 @@ fn card(name: String, title: &'static str, table: Table, texels: usize) -> Card 
         domain: domain(table),
         radiance: true,
         flux: true,
-        table_bytes: Some(2 * 4 * texels + PARAMETER_BYTES),
+        table_bytes: Some(2 * 4 * texels + PARAMETER_BYTES + halo),
     }
 }
 
@@ -178,7 +198,7 @@ pub(crate) fn method(
 ) -> Simple {
     let name = texels.map_or(stem.to_owned(), |texels| format!("{stem}:{texels}"));
     let count = texels.unwrap_or(EMITTED_TEXELS);
-    Simple::new(card(name, title, table, count), move |card, cloud| {
+    Simple::new(card(name, title, (table, reading), count), move |card, cloud| {
         let single = InSingle(prepare(table, reading, cloud, Texels::<f32>::twice(cloud, count)?)?);
         let card = card.clone();
         Ok(if texels.is_some() {
@@ -195,6 +215,12 @@ pub(crate) fn method(
 mod tests {
     use super::*;
     use stratiform_quantities::Side;
+
+    #[test]
+    fn the_built_in_table_is_the_transcribed_one() {
+        assert_eq!(APPENDIX_B, stratiform_reference_data::read("bouthors-2006", "appendix-b.csv").unwrap());
+        assert_eq!((published(0.02).unwrap().len(), refitted().unwrap().len()), (10, 10));
+    }
 
     /// Appendix A by hand at θ_l = 0, H = 100 m, with the row as printed: T_ms = (b + (1-b) e^-cH) β/(H - (H-1) β).
     #[test]
@@ -230,6 +256,7 @@ mod tests {
             kappa_s_per_m: 0.02,
             reading,
             phase: Nothing,
+            halo: None,
         };
         let sight = Sight::new(0.8, 0.4, 90.0, Side::Top).unwrap();
         let [isotropic, flat, printed] = [
