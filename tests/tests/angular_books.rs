@@ -6,7 +6,7 @@
     reason = "a test may stop where it fails, and says what it measured"
 )]
 
-use stratiform_artifact::{AngularBooksRow, AngularForm};
+use stratiform_artifact::AngularBooksRow;
 use stratiform_cli::pipeline::angular_books;
 use stratiform_quantities::{Order, Side};
 use stratiform_tests::{accepted_cloud, paper_config};

@@ -23,6 +23,7 @@ mod principal_plane;
 mod provenance;
 mod quadrature;
 mod radiance;
+mod radiance_parameters;
 mod solver_cost;
 mod table;
 
@@ -51,5 +52,6 @@ pub use principal_plane::{PlaneOrder, PlaneSource, PrincipalPlaneRow};
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
 pub use radiance::{RadianceDocument, RadianceResult};
+pub use radiance_parameters::{RadianceFace, RadianceMisfit, RadianceParametersDocument, RadianceSample};
 pub use solver_cost::SolverCostRow;
 pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};

@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 use std::path::Path;
 use stratiform_artifact::{key_line, line_of, read_text};
 use stratiform_codegen::Target;
-use stratiform_fit::{FitConfig, FitError};
+use stratiform_fit::{FitConfig, FitError, RadianceConfig};
 use stratiform_optics::{OpticsConfig, OpticsError};
 use stratiform_quantities::{
     DomainError, ExtinctionConvention, Medium, OpticalThickness, Range, SingleScatteringAlbedo,
@@ -44,6 +44,9 @@ pub struct Config {
     pub transport: TransportConfig,
     /// Grid, bounds and angles of the fit.
     pub fit: FitConfig,
+    /// Points that the radiance model is fitted at; absent: it is not fitted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub radiance: Option<RadianceConfig>,
     /// Accepted artifacts and emitted text.
     pub codegen: CodegenConfig,
     /// Other effective radii that get a table too; absent: none.
@@ -229,6 +232,7 @@ impl Config {
     fn validate(&self) -> Result<(), Fault> {
         self.optics.resolve()?;
         self.fit.check()?;
+        self.radiance.iter().try_for_each(RadianceConfig::check)?;
         self.transport.validate(&self.optics)?;
         self.convergence.iter().try_for_each(|convergence| convergence.validate(&self.fit))?;
         self.principal_plane.iter().try_for_each(PrincipalPlaneConfig::validate)?;

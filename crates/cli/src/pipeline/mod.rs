@@ -1,4 +1,5 @@
-//! The chain in order: optics, reference, fit, codegen, witness, agreement, ladder, convergence, principal plane, notes, report. Each stage leaves files and is
+//! The chain in order: optics, reference, fit, radiance, family, codegen, witness, agreement, ladder, convergence,
+//! principal plane, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;
@@ -16,6 +17,7 @@ pub mod optics;
 mod principal_plane;
 mod published;
 mod quadrature;
+mod radiance;
 pub mod reference;
 mod run;
 pub mod solved;

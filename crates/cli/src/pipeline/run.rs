@@ -4,7 +4,7 @@ use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
     accepted, agreement, convergence, curves, family, fluxes, input_error, ladder, notes, optics,
-    principal_plane, published, quadrature, source,
+    principal_plane, published, quadrature, radiance, source,
 };
 use crate::CliError;
 use crate::config::{Config, Source};
@@ -53,6 +53,7 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
     let inputs = chain.inputs(&work, config.transport.source);
     work.stage("reference", &inputs, |dir| source::write_reference(config, &cloud, dir, talk))?;
     work.stage("fit", &(work.hash_of_stage("reference"), &provenance, &config.fit), |dir| chain.fit(dir))?;
+    chain.radiance(&mut work)?;
     let parameters: ParametersDocument = read_json(&out.join("parameters.json"))?;
     chain.family(&mut work)?;
     if target == Target::Report {
@@ -97,6 +98,14 @@ impl Chain<'_> {
             return work.without("family");
         };
         work.stage("family", &family::inputs(config, radii), |dir| family::write(config, radii, dir, talk))
+    }
+
+    /// The radiance model, where the config asks for it.
+    fn radiance(&self, work: &mut Workspace) -> Result<(), CliError> {
+        let Self { config, cloud, talk, .. } = *self;
+        let Some(settings) = &config.radiance else { return work.without("radiance") };
+        let inputs = (work.hash_of_stage("optics"), radiance::provenance(config, settings));
+        work.stage("radiance", &inputs, |dir| radiance::write(config, settings, cloud, dir, talk))
     }
 
     /// The stages after the fit.
