@@ -12,7 +12,7 @@ mod notes;
 pub mod optics;
 mod published;
 mod quadrature;
-mod radiance;
+pub mod radiance;
 pub mod reference;
 mod run;
 pub mod solved;
