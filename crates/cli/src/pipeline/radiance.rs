@@ -52,8 +52,8 @@ pub fn write(
     let wide = Wide(Modified::new(phase, config.optics.theta_f_deg)?);
     let [fitted, check] = [0, 1].map(|i| Drawn { sample: &plans[i].sample, points: &solved[i] });
     let record = source::medium(config, cloud)?;
-    let document = fit_radiance(&fitted, &[check], record, provenance(config, settings), &wide)
-        .map_err(input_error)?;
+    let document =
+        fit_radiance(&fitted, &[check], record, provenance(config, settings), &wide).map_err(input_error)?;
     create_folder(&dir.join("accepted"))?;
     let files = [FILE.to_owned(), format!("accepted/{FILE}")];
     files.iter().try_for_each(|file| write_json(&dir.join(file), &document))?;
@@ -75,8 +75,7 @@ fn solve(
 }
 
 fn solve_sun(solver: &RadianceSolver, tau: &[f64], sun: &SunViews) -> Result<Vec<RadiancePoint>, CliError> {
-    let views: Vec<View> =
-        sun.views.iter().map(|&(side, mu, phi_deg)| View { side, mu, phi_deg }).collect();
+    let views: Vec<View> = sun.views.iter().map(|&(side, mu, phi_deg)| View { side, mu, phi_deg }).collect();
     let solved = solver.radiance(tau, &[sun.mu_l], &views).map_err(trace_error)?;
     let mut points = Vec::new();
     for (t, &tau) in tau.iter().enumerate() {
