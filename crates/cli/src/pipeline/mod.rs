@@ -17,7 +17,7 @@ pub mod optics;
 mod principal_plane;
 mod published;
 mod quadrature;
-mod radiance;
+pub mod radiance;
 pub mod reference;
 mod run;
 pub mod solved;
