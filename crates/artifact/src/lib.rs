@@ -4,11 +4,13 @@
 //! both keep every bit of an `f64`. Field names carry units. A file appears whole or not at all.
 
 mod agreement;
+mod angular_books;
 mod atomic;
 mod chart;
 mod convergence;
 mod curves;
 mod error;
+mod family;
 mod hash;
 mod json;
 mod ladder;
@@ -17,6 +19,7 @@ mod optics;
 mod orders;
 mod parameters;
 mod place;
+mod principal_plane;
 mod provenance;
 mod quadrature;
 mod radiance;
@@ -24,11 +27,13 @@ mod solver_cost;
 mod table;
 
 pub use agreement::{AgreementDocument, AgreementRow};
+pub use angular_books::{AngularBooksRow, AngularForm};
 pub use atomic::{create_folder, read_text, write_atomic};
 pub use chart::{ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, KnobRow};
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
+pub use family::{FamilyDocument, FamilyErrorRow, FamilyMember};
 pub use hash::{hash_bytes, hash_of};
 pub use json::{read_json, to_json, write_json};
 pub use ladder::LadderRow;
@@ -42,6 +47,7 @@ pub use parameters::{
     ParametersDocument, RowIncidence,
 };
 pub use place::{key_line, line_of};
+pub use principal_plane::{PlaneOrder, PlaneSource, PrincipalPlaneRow};
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
 pub use radiance::{RadianceDocument, RadianceResult};

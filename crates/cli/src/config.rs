@@ -10,6 +10,10 @@
 //! code, but a fault of the solver would pass into the table); hence with `photons` given the table's incidences are also
 //! traced, and both tables must agree.
 
+mod family;
+
+pub use family::FamilyConfig;
+
 use crate::CliError;
 use crate::check::config::{CheckConfig, Refused};
 use serde::{Deserialize, Serialize};
@@ -42,9 +46,15 @@ pub struct Config {
     pub fit: FitConfig,
     /// Accepted artifacts and emitted text.
     pub codegen: CodegenConfig,
+    /// Other effective radii that get a table too; absent: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub family: Option<FamilyConfig>,
     /// How the convergence figures are made; absent: they are not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub convergence: Option<ConvergenceConfig>,
+    /// How the figures of radiance in the principal plane are made; absent: they are not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub principal_plane: Option<PrincipalPlaneConfig>,
     /// What `check` accepts.
     pub check: CheckConfig,
 }
@@ -155,6 +165,28 @@ pub struct ConvergenceConfig {
     pub half_space_photons: Vec<u64>,
 }
 
+/// `[principal_plane]`.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PrincipalPlaneConfig {
+    /// Slabs and suns.
+    pub scenes: Vec<PlaneScene>,
+    /// Photons of each scene in the full medium, counted in angular bins.
+    pub full_photons: u64,
+    /// Photons of each scene for local estimates.
+    pub view_photons: u64,
+}
+
+/// A slab and its sun.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlaneScene {
+    /// The sun's zenith angle, degrees, below 90.
+    pub theta_l_deg: f64,
+    /// Thickness, metres.
+    pub thickness_m: f64,
+}
+
 impl Config {
     /// The schema's name and version.
     pub const SCHEMA: &'static str = "stratiform/config/1";
@@ -199,6 +231,8 @@ impl Config {
         self.fit.check()?;
         self.transport.validate(&self.optics)?;
         self.convergence.iter().try_for_each(|convergence| convergence.validate(&self.fit))?;
+        self.principal_plane.iter().try_for_each(PrincipalPlaneConfig::validate)?;
+        self.family.iter().try_for_each(|family| family.validate(&self.optics, &self.transport))?;
         self.check.validate()?;
         self.codegen.validate()?;
         let kappa = 1e6
@@ -309,6 +343,19 @@ impl ConvergenceConfig {
             self.theta_l_deg, fit.theta_l_deg
         );
         Err(Fault { key: Some("convergence.theta_l_deg".to_owned()), message })
+    }
+}
+
+impl PrincipalPlaneConfig {
+    fn validate(&self) -> Result<(), Fault> {
+        photons("principal_plane.full_photons", self.full_photons)?;
+        photons("principal_plane.view_photons", self.view_photons)?;
+        let below_horizon = Range { max_included: false, ..Range::closed(0.0, 90.0) };
+        for scene in &self.scenes {
+            below_horizon.check("principal_plane.scenes.theta_l_deg", scene.theta_l_deg)?;
+            Range::above(0.0).check("principal_plane.scenes.thickness_m", scene.thickness_m)?;
+        }
+        Ok(())
     }
 }
 

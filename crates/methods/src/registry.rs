@@ -3,10 +3,14 @@
 //! A name is a stem, or a stem and a knob: `octaves:8`, `monte-carlo:1e4`. [`by_name`] takes both, [`all`] gives each stem once with its
 //! usual knob, [`knobs`] the values that a curve of a knob runs through.
 
+use crate::rivals::bouthors::{self, Reading, Table};
 use crate::rivals::monte_carlo::{self, Geometry};
 use crate::rivals::two_stream::{self, Closure};
-use crate::rivals::{octaves, single_scattering, solver};
+use crate::rivals::{
+    asymptotic, beer_powder, multiple_forward, octaves, single_scattering, solver, successive,
+};
 use crate::{Method, MethodError};
+use stratiform_model::angular::Emission;
 use stratiform_quantities::{Medium, Range};
 
 type Made = Result<Box<dyn Method>, MethodError>;
@@ -44,20 +48,36 @@ fn turned<M: Method + 'static>(
     Entry { stem, knob: Some(knob), make: Box::new(move |value| Box::new(make(value.unwrap_or(usual)))) }
 }
 
+fn read(stem: &'static str, title: &'static str, table: Table, reading: Reading) -> Entry {
+    let make = move |count: Option<f64>| -> Box<dyn Method> {
+        let texels = count.map(|count| count as usize);
+        Box::new(bouthors::method((stem, texels), title, table, reading))
+    };
+    Entry { stem, knob: Some(texels()), make: Box::new(make) }
+}
+
+fn bouthors(stem: &'static str, title: &'static str, table: Table, emission: Emission) -> Entry {
+    read(stem, title, table, Reading::Corrected(emission))
+}
+
 fn knob(counts: &'static str, range: Range, values: &'static [f64]) -> Knob {
     Knob { counts, range, values, usual: None }
 }
 
 const TEXELS: Range = stratiform_tables::sampled::TEXELS;
 
+fn texels() -> Knob {
+    knob("texels", TEXELS, &[64.0, 128.0, 256.0, 512.0, 1024.0])
+}
+
 fn photons() -> Knob {
     knob("photons", Range::closed(2.0, 1e12), &[1e2, 1e3, 1e4, 1e5])
 }
 
 fn entries() -> Vec<Entry> {
-    let texels = || knob("texels", TEXELS, &[64.0, 128.0, 256.0, 512.0, 1024.0]);
     let octave_knob = knob("octaves", Range::closed(1.0, 32.0), &[1.0, 2.0, 3.0, 4.0, 8.0, 16.0]);
     let streams = knob("streams per hemisphere", Range::closed(2.0, 128.0), &[2.0, 4.0, 8.0, 16.0, 32.0]);
+    let orders = knob("orders", Range::closed(1.0, 60.0), &[1.0, 2.0, 5.0, 10.0, 20.0, 60.0]);
     let mut entries = vec![
         Entry {
             stem: "single-mie",
@@ -68,10 +88,43 @@ fn entries() -> Vec<Entry> {
             }),
         },
         plain("single-hg", single_scattering::hg),
+        plain("single-hg-draine", single_scattering::hg_draine),
+        plain("harris-lastra", multiple_forward::published),
+        plain("multiple-forward", multiple_forward::of_cloud),
         turned("octaves", octave_knob, 8.0, |count| octaves::method(count as u32)),
+        plain("beer-powder", beer_powder::method),
         plain("two-stream", || two_stream::method(Closure::Quadrature)),
         plain("delta-eddington", || two_stream::method(Closure::DeltaEddington)),
         plain("diffusion", || two_stream::method(Closure::Diffusion)),
+        plain("asymptotic", asymptotic::method),
+        read("bouthors-printed", "Bouthors 2006 as printed", Table::Published, Reading::Printed),
+        bouthors(
+            "bouthors-published",
+            "Bouthors 2006, published table",
+            Table::Published,
+            Emission::Lambertian,
+        ),
+        bouthors(
+            "bouthors-corrected",
+            "Bouthors 2006, corrected and refitted",
+            Table::Refitted,
+            Emission::Lambertian,
+        ),
+        bouthors(
+            "bouthors-corrected-isotropic",
+            "The same, I3+ isotropic",
+            Table::Refitted,
+            Emission::Isotropic,
+        ),
+        bouthors(
+            "bouthors-corrected-escape",
+            "The same, I3+ by the escape function",
+            Table::Refitted,
+            Emission::Escape,
+        ),
+        read("bouthors-corrected-halo", "The same, with the halo", Table::Refitted, Reading::WithHalo),
+        // The better model takes its place here.
+        turned("orders", orders, 2.0, |count| successive::method(count as u32)),
         turned("solver", streams, 16.0, |count| solver::method(count as usize)),
     ];
     for geometry in [Geometry::Plain, Geometry::HalfSpace] {

@@ -11,14 +11,15 @@
 //! successors) march this integral; in a homogeneous slab it is closed. P is the cloud's own, or Henyey and Greenstein's with the
 //! cloud's g, or the blend of Jendersie & d'Eon 2023 at the diameter that suits the cloud best. No fluxes.
 
-use crate::lobe::{Hg, Lobe};
+use crate::lobe::{Hg, HgDraine, Lobe};
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
 use crate::scalar::{Scalar, least, mean_decay};
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
 use crate::{Card, Class, Cloud, Domain, MethodError, Ready};
 use stratiform_model::angular::Sight;
-use stratiform_quantities::Side;
+use stratiform_quantities::{Range, Side};
+use stratiform_tables::nearest::{Objective, jendersie_deon, nearest_diameter};
 
 /// Light scattered once per unit of ωP; the sun's path is dimmed by `dimming` times its extinction.
 pub(crate) fn once<F: Scalar>(tau: F, sight: &Sight<F>, dimming: F) -> F {
@@ -101,4 +102,36 @@ pub(crate) fn hg() -> Simple {
         let g = cloud.asymmetry();
         Ok::<_, MethodError>(shaded(card, cloud, (Hg { g }, Hg { g: g as f32 })))
     })
+}
+
+/// With the Henyey–Greenstein and Draine blend of the droplet diameter that is nearest to the cloud's phase function. The fit is for
+/// diameters from 5 to 50 µm.
+pub(crate) fn hg_draine() -> Simple {
+    let source = "Chandrasekhar 1950, Radiative Transfer, section 45.3; Jendersie & d'Eon 2023, An Approximate Mie Scattering Function for Fog \
+                  and Cloud Rendering";
+    let card = card("single-hg-draine", "Single scattering, Henyey–Greenstein and Draine", source, 0);
+    let card = Card { domain: Domain { r_eff_um: Range::closed(2.5, 25.0), ..card.domain }, ..card };
+    Simple::new(card, |card, cloud| {
+        let blend = jendersie_deon(nearest_diameter(cloud.phase(), Objective::Scattered)?)?;
+        Ok(shaded(card, cloud, (HgDraine::new(&blend), HgDraine::new(&blend))))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Chandrasekhar's closed forms with P = 1, where they lose no digits; equal cosines are their limit τ/(4μ²) e^(-τ/μ).
+    #[test]
+    fn the_factor_is_chandrasekhars() {
+        let (tau, mu_l, mu_v) = (0.8, 0.7, 0.4);
+        let of = |mu_v: f64, side| once(tau, &Sight::new(mu_l, mu_v, 30.0, side).unwrap(), 1.0);
+        let top = (1.0 - libm::exp(-tau / mu_l - tau / mu_v)) / (4.0 * (mu_l + mu_v));
+        let bottom = (libm::exp(-tau / mu_l) - libm::exp(-tau / mu_v)) / (4.0 * (mu_l - mu_v));
+        let equal = tau / (4.0 * mu_l * mu_l) * libm::exp(-tau / mu_l);
+        assert!((of(mu_v, Side::Top) / top - 1.0).abs() < 1e-14);
+        assert!((of(mu_v, Side::Bottom) / bottom - 1.0).abs() < 1e-14);
+        assert!((of(mu_l, Side::Bottom) / equal - 1.0).abs() < 1e-14);
+        assert!((of(mu_l * (1.0 + 1e-9), Side::Bottom) / equal - 1.0).abs() < 1e-8);
+    }
 }
