@@ -6,6 +6,7 @@ use std::fs;
 use std::path::PathBuf;
 use stratiform_cli::config::Config;
 use stratiform_cli::pipeline::accepted;
+use stratiform_scene::Scene;
 use stratiform_tests::root;
 
 fn configs() -> Vec<PathBuf> {
@@ -65,4 +66,22 @@ fn emitted_text_is_fresh_and_valid() {
                 .unwrap_or_else(|error| panic!("{name}: {error}"));
         }
     }
+}
+
+/// Every committed scene is sound and goes by the name of its file.
+#[test]
+fn every_scene_loads_and_is_named() {
+    let files = fs::read_dir(root().join("fit-configs/scenes")).unwrap().map(|entry| entry.unwrap().path());
+    let mut names: Vec<_> = files
+        .map(|path| {
+            let scene = Scene::load(&path).unwrap_or_else(|error| panic!("{error}"));
+            let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
+            assert_eq!(scene, stratiform_scene::named(&name).unwrap());
+            name
+        })
+        .collect();
+    let mut known = stratiform_scene::NAMES.to_vec();
+    names.sort();
+    known.sort_unstable();
+    assert_eq!(names, known);
 }

@@ -4,7 +4,9 @@
 //! both keep every bit of an `f64`. Field names carry units. A file appears whole or not at all.
 
 mod agreement;
+mod angular_books;
 mod atomic;
+mod chart;
 mod convergence;
 mod curves;
 mod error;
@@ -16,14 +18,19 @@ mod notes;
 mod optics;
 mod orders;
 mod parameters;
+mod place;
+mod principal_plane;
 mod provenance;
 mod quadrature;
 mod radiance;
+mod radiance_parameters;
 mod solver_cost;
 mod table;
 
 pub use agreement::{AgreementDocument, AgreementRow};
+pub use angular_books::{AngularBooksRow, AngularForm};
 pub use atomic::{create_folder, read_text, write_atomic};
+pub use chart::{ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, KnobRow};
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
@@ -40,8 +47,11 @@ pub use parameters::{
     FittedParameter, Flag, MediumRecord, Misfit, ParameterRow, ParameterTable, ParametersCsvRow,
     ParametersDocument, RowIncidence,
 };
+pub use place::{key_line, line_of};
+pub use principal_plane::{PlaneOrder, PlaneSource, PrincipalPlaneRow};
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
 pub use radiance::{RadianceDocument, RadianceResult};
+pub use radiance_parameters::{RadianceFace, RadianceMisfit, RadianceParametersDocument, RadianceSample};
 pub use solver_cost::SolverCostRow;
 pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};

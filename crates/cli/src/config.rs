@@ -19,9 +19,9 @@ use crate::check::config::{CheckConfig, Refused};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use std::path::Path;
-use stratiform_artifact::read_text;
+use stratiform_artifact::{key_line, line_of, read_text};
 use stratiform_codegen::Target;
-use stratiform_fit::{FitConfig, FitError};
+use stratiform_fit::{FitConfig, FitError, RadianceConfig};
 use stratiform_optics::{OpticsConfig, OpticsError};
 use stratiform_quantities::{
     DomainError, ExtinctionConvention, Medium, OpticalThickness, Range, SingleScatteringAlbedo,
@@ -44,6 +44,9 @@ pub struct Config {
     pub transport: TransportConfig,
     /// Grid, bounds and angles of the fit.
     pub fit: FitConfig,
+    /// Points that the radiance model is fitted at; absent: it is not fitted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub radiance: Option<RadianceConfig>,
     /// Accepted artifacts and emitted text.
     pub codegen: CodegenConfig,
     /// Other effective radii that get a table too; absent: none.
@@ -52,6 +55,9 @@ pub struct Config {
     /// How the convergence figures are made; absent: they are not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub convergence: Option<ConvergenceConfig>,
+    /// How the figures of radiance in the principal plane are made; absent: they are not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub principal_plane: Option<PrincipalPlaneConfig>,
     /// What `check` accepts.
     pub check: CheckConfig,
 }
@@ -162,6 +168,28 @@ pub struct ConvergenceConfig {
     pub half_space_photons: Vec<u64>,
 }
 
+/// `[principal_plane]`.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PrincipalPlaneConfig {
+    /// Slabs and suns.
+    pub scenes: Vec<PlaneScene>,
+    /// Photons of each scene in the full medium, counted in angular bins.
+    pub full_photons: u64,
+    /// Photons of each scene for local estimates.
+    pub view_photons: u64,
+}
+
+/// A slab and its sun.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlaneScene {
+    /// The sun's zenith angle, degrees, below 90.
+    pub theta_l_deg: f64,
+    /// Thickness, metres.
+    pub thickness_m: f64,
+}
+
 impl Config {
     /// The schema's name and version.
     pub const SCHEMA: &'static str = "stratiform/config/1";
@@ -204,8 +232,10 @@ impl Config {
     fn validate(&self) -> Result<(), Fault> {
         self.optics.resolve()?;
         self.fit.check()?;
+        self.radiance.iter().try_for_each(RadianceConfig::check)?;
         self.transport.validate(&self.optics)?;
         self.convergence.iter().try_for_each(|convergence| convergence.validate(&self.fit))?;
+        self.principal_plane.iter().try_for_each(PrincipalPlaneConfig::validate)?;
         self.family.iter().try_for_each(|family| family.validate(&self.optics, &self.transport))?;
         self.check.validate()?;
         self.codegen.validate()?;
@@ -320,6 +350,19 @@ impl ConvergenceConfig {
     }
 }
 
+impl PrincipalPlaneConfig {
+    fn validate(&self) -> Result<(), Fault> {
+        photons("principal_plane.full_photons", self.full_photons)?;
+        photons("principal_plane.view_photons", self.view_photons)?;
+        let below_horizon = Range { max_included: false, ..Range::closed(0.0, 90.0) };
+        for scene in &self.scenes {
+            below_horizon.check("principal_plane.scenes.theta_l_deg", scene.theta_l_deg)?;
+            Range::above(0.0).check("principal_plane.scenes.thickness_m", scene.thickness_m)?;
+        }
+        Ok(())
+    }
+}
+
 /// What is wrong with a value, and under which key it stands, where that is known.
 struct Fault {
     key: Option<String>,
@@ -353,54 +396,5 @@ impl From<FitError> for Fault {
             FitError::Domain(error) => error.into(),
             other => Self { key: None, message: other.to_string() },
         }
-    }
-}
-
-pub(crate) fn line_of(text: &str, offset: usize) -> usize {
-    text.as_bytes().iter().take(offset).filter(|byte| **byte == b'\n').count() + 1
-}
-
-/// The line that assigns a dotted key, e.g. `fit.thickness_m.min`: in the table that its front part names, or, for inline
-/// tables, on the line of that part; a key without front part on the first line that assigns it.
-fn key_line(text: &str, key: &str) -> Option<usize> {
-    let parts: Vec<_> = key.split('.').collect();
-    let last = parts.len() - 1;
-    (0..=last).rev().find_map(|cut| {
-        let header = (cut > 0).then(|| parts[..cut].join("."));
-        assignment(text, header.as_deref(), parts[cut])
-    })
-}
-
-/// The first line `name = …`, below the line `[header]` and before the next header if one is asked for.
-fn assignment(text: &str, header: Option<&str>, name: &str) -> Option<usize> {
-    let mut inside = header.is_none();
-    for (index, line) in text.lines().enumerate() {
-        let line = line.trim_start();
-        match (line.strip_prefix('[').and_then(|rest| rest.split(']').next()), header) {
-            (Some(table), Some(header)) => {
-                inside =
-                    table.strip_suffix(header).is_some_and(|front| front.is_empty() || front.ends_with('.'));
-            }
-            _ if inside && line.strip_prefix(name).is_some_and(|rest| rest.trim_start().starts_with('=')) => {
-                return Some(index + 1);
-            }
-            _ => {}
-        }
-    }
-    None
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_are_counted_from_one_within_their_table() {
-        let text = "a = 1\n[b]\n  photons = 0\n[c]\nphotons = 2\nd = { min = 0 }\n";
-        assert_eq!(key_line(text, "photons"), Some(3));
-        assert_eq!(key_line(text, "c.photons"), Some(5));
-        assert_eq!(key_line(text, "c.d.min"), Some(6));
-        assert_eq!(key_line(text, "photon"), None);
-        assert_eq!(line_of(text, 7), 2);
     }
 }

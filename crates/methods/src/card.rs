@@ -103,3 +103,30 @@ pub struct Card {
     /// Bytes of tables that a shader of it needs for one cloud; `None` where it is no shader code.
     pub table_bytes: Option<usize>,
 }
+
+impl Card {
+    /// Whether radiances are given.
+    ///
+    /// # Errors
+    /// [`MethodError::NotGiven`].
+    pub fn gives_radiance(&self) -> Result<(), MethodError> {
+        self.gives(self.radiance, "radiance")
+    }
+
+    /// Whether fluxes are given.
+    ///
+    /// # Errors
+    /// [`MethodError::NotGiven`].
+    pub fn gives_flux(&self) -> Result<(), MethodError> {
+        self.gives(self.flux, "flux")
+    }
+
+    fn gives(&self, given: bool, quantity: &'static str) -> Result<(), MethodError> {
+        if given { Ok(()) } else { Err(MethodError::NotGiven { method: self.name.clone(), quantity }) }
+    }
+
+    /// What the solver or tracer inside said.
+    pub(crate) fn failed(&self, reason: &dyn std::fmt::Display) -> MethodError {
+        MethodError::Failed { method: self.name.clone(), reason: reason.to_string() }
+    }
+}

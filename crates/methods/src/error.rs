@@ -24,6 +24,17 @@ pub enum MethodError {
         /// What it said.
         reason: String,
     },
+    /// A phase function or its texels cannot be made.
+    #[error("phase function: {0}")]
+    Phase(String),
+    /// What stands after the colon of a name.
+    #[error("{name}: {reason}")]
+    Knob {
+        /// The name.
+        name: String,
+        /// What is wrong.
+        reason: String,
+    },
     /// No method of that name.
     #[error("no method is called {name}: the methods are {known}")]
     Unknown {
@@ -32,4 +43,16 @@ pub enum MethodError {
         /// The names there are.
         known: String,
     },
+}
+
+impl From<stratiform_optics::OpticsError> for MethodError {
+    fn from(error: stratiform_optics::OpticsError) -> Self {
+        Self::Phase(error.to_string())
+    }
+}
+
+impl From<stratiform_tables::TablesError> for MethodError {
+    fn from(error: stratiform_tables::TablesError) -> Self {
+        Self::Phase(error.to_string())
+    }
 }

@@ -7,11 +7,22 @@
 mod card;
 mod cloud;
 mod error;
+mod grid;
+mod lobe;
+mod lookup;
 mod method;
 mod point;
+mod registry;
+mod rivals;
+mod scalar;
+mod shade;
+mod simple;
 
 pub use card::{Card, Class, Domain};
 pub use cloud::Cloud;
 pub use error::MethodError;
+pub use lookup::{EMITTED_TEXELS, Exact, Texels};
 pub use method::{Method, Ready, Single};
 pub use point::{FluxPair, FluxPoint, Point};
+pub use registry::{Knob, all, by_name, knobs};
+pub use scalar::Scalar;

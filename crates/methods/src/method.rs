@@ -38,9 +38,9 @@ pub trait Ready: Send + Sync {
 
 /// One evaluation in single precision, unchecked: the caller stays inside the declared domain.
 pub trait Single: Send + Sync {
-    /// Reflectance factor.
+    /// Reflectance factor; 0 where the card says that none is given.
     fn radiance(&self, tau: f32, sight: &Sight<f32>) -> f32;
 
-    /// R and T.
+    /// R and T; 0 where the card says that none are given.
     fn fluxes(&self, tau: f32, mu_l: f32) -> (f32, f32);
 }

@@ -22,7 +22,17 @@ fn exp_tail<F: Real>(y: F) -> F {
 /// 1 - e^{-y}.
 pub(crate) fn rise<F: Real>(y: F) -> F {
     let one = F::of(1.0);
-    if y < one { y * (one - F::of(0.5) * y * exp_tail(-y)) } else { one - (-y).exp() }
+    if y < one { y * mean_decay(y) } else { one - (-y).exp() }
+}
+
+/// (1 - e^{-y})/y, the mean of e^{-yu} over u from 0 to 1, for y < 1.
+pub(crate) fn mean_decay<F: Real>(y: F) -> F {
+    F::of(1.0) - F::of(0.5) * y * exp_tail(-y)
+}
+
+/// (1 - (1+y)e^{-y})/y, the mean of yu e^{-yu}, for y < 1.
+pub(crate) fn mean_decay_weighted<F: Real>(y: F) -> F {
+    F::of(0.5) * y * exp_tail(y) * (-y).exp()
 }
 
 /// y - 1 + e^{-y}: scattered backward twice.

@@ -13,6 +13,10 @@ pub enum Purpose {
     PlainTracer(u32),
     /// The half-space tracer; its number likewise.
     HalfSpaceTracer(u32),
+    /// Radiance at given directions by local estimates; its number likewise.
+    RadianceAtViews(u32),
+    /// Radiance in angular bins; its number likewise.
+    RadianceInBins(u32),
     /// Random inputs of tests and calibrations.
     Calibration,
 }
@@ -23,6 +27,8 @@ impl Purpose {
             Purpose::PlainTracer(which) => (1 << 32) | u64::from(which),
             Purpose::HalfSpaceTracer(which) => (2 << 32) | u64::from(which),
             Purpose::Calibration => 3 << 32,
+            Purpose::RadianceAtViews(which) => (4 << 32) | u64::from(which),
+            Purpose::RadianceInBins(which) => (5 << 32) | u64::from(which),
         }
     }
 }

@@ -47,6 +47,24 @@ pub enum TransportError {
         /// Largest product.
         max: usize,
     },
+    /// Views or bins times orders exceed what is kept.
+    #[error("{places} views or bins with {orders} orders each make more than {max} cells")]
+    TooManyCells {
+        /// Number of views, or of bins of both faces.
+        places: usize,
+        /// Rows of each: orders 1…N, tail and total.
+        orders: usize,
+        /// Largest product.
+        max: usize,
+    },
+    /// Edges that make no bins.
+    #[error("bin edges {name} must be two or more and ascend{}", at.map_or(String::new(), |(a, b)| format!(": {a} is followed by {b}")))]
+    Edges {
+        /// Of which coordinate.
+        name: &'static str,
+        /// The first two in the wrong order; none if there are too few.
+        at: Option<(f64, f64)>,
+    },
     /// The caller asked to stop.
     #[error("cancelled")]
     Cancelled,

@@ -3,7 +3,7 @@
 //!
 //! Two tracers share request, run control and result, and must agree:
 //! [`trace_half_space`] follows depth and direction cosine only, one history for every thickness;
-//! [`trace_plain`] is the three-dimensional reference, one slab at a time.
+//! [`trace_plain`] is the three-dimensional reference, one slab at a time. The same walk scores [`radiance`].
 //!
 //! Absorption is analog, so every tally is a whole number and the books close exactly:
 //! launched = reflected + transmitted + absorbed, for each thickness. τ is always the optical thickness of
@@ -16,11 +16,13 @@ mod kernels;
 mod lanes;
 mod medium;
 mod plain;
+pub mod radiance;
 mod request;
 mod run;
 pub mod solve;
 mod tally;
 mod traced;
+mod walk;
 
 pub use control::{Control, Progress};
 pub use error::TransportError;

@@ -1,16 +1,14 @@
-//! The reference tracer: three-dimensional positions and directions, one slab at a time, the phase
-//! function's own inversion, library functions. It shares run control, tallies and the generator with
-//! the fast tracer, but no sampling and no geometry.
+//! Fluxes by the reference tracer, [`walk`](crate::walk): one slab at a time. It shares run control, tallies and
+//! the generator with the fast tracer, but no sampling and no geometry.
 
 use crate::run::{Estimator, run};
 use crate::tally::Tally;
+use crate::walk::{Walk, sunbeam, uniform};
 use crate::{Control, TraceMedium, TraceRequest, Traced, TransportError};
 use glam::DVec3;
-use rand::Rng;
 use rand_pcg::Pcg32;
-use std::f64::consts::TAU;
 use std::ops::Range;
-use stratiform_quantities::Incidence;
+use stratiform_quantities::{Incidence, Side};
 use stratiform_stats::{Purpose, key, photon_stream};
 
 /// Traces `request` through `medium`, each thickness with photons of its own.
@@ -33,13 +31,6 @@ struct Plain<'a> {
     key: u64,
 }
 
-/// How a history ended.
-enum End {
-    Reflected,
-    Transmitted,
-    Absorbed,
-}
-
 impl<'a> Plain<'a> {
     fn new(medium: &'a TraceMedium, request: &TraceRequest, tau: &[f64]) -> Self {
         Self {
@@ -55,36 +46,7 @@ impl<'a> Plain<'a> {
             Incidence::Beam(mu0) => mu0.get(),
             Incidence::Diffuse => uniform(rng).sqrt(),
         };
-        DVec3::new((1.0 - mu * mu).sqrt(), 0.0, mu)
-    }
-
-    /// A new direction at the sampled angle from `direction`.
-    fn scatter(&self, direction: DVec3, rng: &mut Pcg32) -> DVec3 {
-        let v = self.medium.table().phase().invert(uniform(rng));
-        let azimuth = TAU * uniform(rng);
-        let (across, up) = direction.any_orthonormal_pair();
-        let sideways = across * libm::cos(azimuth) + up * libm::sin(azimuth);
-        (direction * (1.0 - v) + sideways * (v * (2.0 - v)).sqrt()).normalize()
-    }
-
-    fn history(&self, bottom: f64, rng: &mut Pcg32) -> (End, u32) {
-        let mut direction = self.launch(rng);
-        let mut position = DVec3::ZERO;
-        let mut order = 0;
-        loop {
-            position += direction * -libm::log(uniform(rng));
-            if position.z < 0.0 {
-                return (End::Reflected, order);
-            }
-            if position.z >= bottom {
-                return (End::Transmitted, order);
-            }
-            if uniform(rng) >= self.medium.albedo() {
-                return (End::Absorbed, order);
-            }
-            direction = self.scatter(direction, rng);
-            order += 1;
-        }
+        sunbeam(mu)
     }
 }
 
@@ -99,17 +61,14 @@ impl Estimator for Plain<'_> {
                     return;
                 }
                 let mut rng = photon_stream(self.key, index | (slab as u64) << 48);
-                match self.history(bottom, &mut rng) {
-                    (End::Reflected, order) => tally.reflect(slab, order),
-                    (End::Transmitted, order) => tally.transmit(slab, order),
-                    (End::Absorbed, order) => tally.absorb(slab, order),
+                let start = self.launch(&mut rng);
+                let end = Walk { medium: self.medium, bottom }.history(start, &mut rng, |_| ());
+                match end.side {
+                    Some(Side::Top) => tally.reflect(slab, end.order),
+                    Some(Side::Bottom) => tally.transmit(slab, end.order),
+                    None => tally.absorb(slab, end.order),
                 }
             }
         }
     }
-}
-
-/// A number in (0, 1) from 52 random bits.
-fn uniform(rng: &mut Pcg32) -> f64 {
-    ((rng.next_u64() >> 12) as f64 + 0.5) / 4_503_599_627_370_496.0
 }

@@ -14,3 +14,5 @@ pub mod shell;
 pub mod solve;
 pub mod stages;
 pub mod trace;
+mod traced_radiance;
+mod views;

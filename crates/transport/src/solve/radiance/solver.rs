@@ -17,6 +17,9 @@ use stratiform_stats::Estimate;
 /// Streams per hemisphere.
 const LADDER: [usize; 8] = [8, 16, 24, 32, 48, 64, 96, 128];
 
+/// Streams that can be asked for.
+const STREAMS: Range = Range::closed(2.0, 128.0);
+
 /// Tolerances that can be met.
 const TOLERANCE: Range = Range { max_included: false, ..Range::closed(2e-8, 1.0) };
 
@@ -112,6 +115,26 @@ impl RadianceSolver {
             }
         }
         Ok(Radiances { suns: mu0.len(), views: views.len(), orders, streams })
+    }
+
+    /// Total radiances with `streams` per hemisphere whatever their error, thicknesses outside, suns, views inside. The errors are
+    /// those of order 2 alone. For studies of convergence.
+    ///
+    /// # Errors
+    /// As [`radiance`](Self::radiance), but for [`TransportError::Tolerance`]; [`TransportError::Domain`] unless 2 ≤ `streams` ≤ 128.
+    pub fn radiance_with_streams(
+        &self,
+        streams: usize,
+        tau: &[f64],
+        mu0: &[f64],
+        views: &[View],
+    ) -> Result<Vec<Estimate>, TransportError> {
+        STREAMS.check("streams", streams as f64)?;
+        let geometries = geometries(tau, mu0, views)?;
+        let clean: Vec<f64> = geometries.iter().map(|row| row[0].mu0).collect();
+        let request = Request { tau, mu0: &clean, geometries: &geometries };
+        let rules = self.rules(&self.phase, &request)?;
+        Ok(self.rung(&self.phase, &request, &rules, streams))
     }
 
     /// Rules of order 2 for every geometry, fine enough for every thickness.
