@@ -28,10 +28,7 @@ use crate::progress;
 use member::Computed;
 use std::path::Path;
 use stratiform_artifact::{FamilyDocument, Provenance, hash_of, write_csv, write_json};
-use stratiform_model::family::RadiusCoordinate;
-
-/// The coordinate that `family-interpolation.csv` finds best, and emitted code uses.
-pub const COORDINATE: RadiusCoordinate = RadiusCoordinate::TwoThirds;
+use stratiform_codegen::FAMILY_COORDINATE;
 
 /// The files, in the order of the table above.
 pub const FILES: [&str; 4] =
@@ -69,7 +66,7 @@ pub fn write(
     let document = FamilyDocument {
         schema: FamilyDocument::SCHEMA.to_owned(),
         provenance: provenance(config, family),
-        coordinate: COORDINATE.to_string(),
+        coordinate: FAMILY_COORDINATE.to_string(),
         members: members.iter().map(Computed::artifact).collect(),
     };
     write_json(&dir.join(FILES[0]), &document)?;
