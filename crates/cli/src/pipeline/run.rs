@@ -12,10 +12,10 @@ use crate::output::Talk;
 use crate::progress;
 use std::path::Path;
 use stratiform_artifact::{
-    LadderRow, OpticsDocument, ParametersDocument, Provenance, create_folder, read_csv, read_json, write_csv,
-    write_json,
+    LadderRow, OpticsDocument, ParametersDocument, Provenance, create_folder, read_csv, read_json, read_text,
+    write_atomic, write_csv, write_json,
 };
-use stratiform_codegen::{Inputs, PhaseRow, PhaseTables, Target as Language};
+use stratiform_codegen::{Inputs, PhaseRow, PhaseTables};
 use stratiform_fit::Reference;
 use stratiform_optics::phase::PhaseTable;
 
@@ -117,8 +117,8 @@ impl Chain<'_> {
     ) -> Result<(), CliError> {
         let Self { config, cloud, provenance, talk } = *self;
         let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
-        let targets = &config.codegen.targets;
-        work.stage("codegen", &(&before, targets), |dir| codegen(parameters, cloud, targets, dir))?;
+        let inputs = (&before, work.hash_of_stage("family"), &config.codegen.targets);
+        work.stage("codegen", &inputs, |dir| codegen(config, parameters, cloud, dir))?;
         self.agreement(work, parameters)?;
         self.ladder(work, parameters)?;
         self.convergence(work, &before)?;
@@ -214,9 +214,9 @@ impl Chain<'_> {
 }
 
 fn codegen(
+    config: &Config,
     parameters: &ParametersDocument,
     cloud: &Cloud,
-    targets: &[Language],
     dir: &Path,
 ) -> Result<Vec<String>, CliError> {
     let theta_f = parameters.medium.theta_f_deg;
@@ -234,10 +234,15 @@ fn codegen(
     let folder = dir.join("accepted");
     create_folder(&folder)?;
     accepted::write(&folder, &inputs)?;
-    let files = stratiform_codegen::generate(&inputs, targets).map_err(input_error)?;
+    if config.family.is_some() {
+        let text = read_text(&dir.join(accepted::FAMILY))?;
+        write_atomic(&folder.join(accepted::FAMILY), text.as_bytes())?;
+    }
+    let files = accepted::emitted(config, &inputs, &folder)?;
     stratiform_codegen::write(&files, &dir.join("generated")).map_err(input_error)?;
     let emitted = files.names().map(|name| format!("generated/{name}"));
-    Ok(accepted::FILES.iter().map(|name| format!("accepted/{name}")).chain(emitted).collect())
+    let kept = accepted::FILES.iter().copied().chain(config.family.iter().map(|_| accepted::FAMILY));
+    Ok(kept.map(|name| format!("accepted/{name}")).chain(emitted).collect())
 }
 
 fn notes(
