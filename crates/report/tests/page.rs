@@ -107,7 +107,7 @@ fn building_again_replaces_the_report() {
     assert_eq!(std::fs::read(&first.page).unwrap(), text);
 }
 
-const OPTIONAL: [&str; 10] = [
+const OPTIONAL: [&str; 11] = [
     "optics/sphere.csv",
     "agreement.json",
     "ladder.csv",
