@@ -1,5 +1,5 @@
 //! Tables over effective radius: schema `stratiform/family/1`, and the errors of what stands between them
-//! (`family-interpolation.csv`, `family-scaling.csv`).
+//! (`family-interpolation.csv`, `family-scaling.csv`, `family-phase.csv`).
 
 use crate::{Extinction, ParametersDocument, Provenance};
 use serde::{Deserialize, Serialize};
@@ -31,6 +31,10 @@ pub struct FamilyMember {
     pub extinction_per_m: Extinction,
     /// g_S of the modified medium.
     pub modified_asymmetry: f64,
+    /// P of the full medium at equal steps of the angle map, seven digits.
+    pub phase: Vec<f64>,
+    /// P_S convolved with itself, likewise.
+    pub phase_squared: Vec<f64>,
     /// The fitted table; g, P_f and ω stand in its medium.
     pub parameters: ParametersDocument,
 }
@@ -74,4 +78,33 @@ pub struct FamilyErrorRow {
     pub worst_tau: f64,
     /// Number of points.
     pub points: u64,
+}
+
+/// How well a phase function at one effective radius is had from others: a row of `family-phase.csv`. The five worst
+/// errors are relative.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FamilyPhaseRow {
+    /// r_e at which P is wanted, µm.
+    pub effective_radius_um: f64,
+    /// r_e of the two tables used, µm, separated by a space.
+    pub table_radii_um: String,
+    /// What is linear in ln r_e: `P`, `log P`, `log P stretched`, or `texels`, log P of the family's texels.
+    pub method: String,
+    /// `full` for P, `squared` for P_S convolved with itself.
+    pub function: String,
+    /// Share of the scattered light that goes elsewhere: half of ½∫|difference| sinΘ dΘ.
+    pub elsewhere: f64,
+    /// ½∫P sinΘ dΘ minus 1.
+    pub norm_error: f64,
+    /// Up to 5°.
+    pub worst_peak: f64,
+    /// From 5° to 30°.
+    pub worst_forward: f64,
+    /// From 30° to 130°.
+    pub worst_side: f64,
+    /// From 130° to 165°.
+    pub worst_fogbow: f64,
+    /// From 165° to 180°.
+    pub worst_glory: f64,
 }

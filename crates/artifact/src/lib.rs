@@ -34,7 +34,7 @@ pub use chart::{ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, Kn
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
-pub use family::{FamilyDocument, FamilyErrorRow, FamilyMember};
+pub use family::{FamilyDocument, FamilyErrorRow, FamilyMember, FamilyPhaseRow};
 pub use hash::{hash_bytes, hash_of};
 pub use json::{read_json, to_json, write_json};
 pub use ladder::LadderRow;

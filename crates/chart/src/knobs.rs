@@ -1,7 +1,7 @@
 //! The curves of one method as its knob turns.
 
 use crate::cost::Effort;
-use crate::{ChartError, Quantity, Sample, Tested, assess};
+use crate::{ChartError, Quantity, Sample, Tested, Watch, assess};
 use stratiform_artifact::KnobRow;
 use stratiform_methods::{Card, Cloud, Method, MethodError, Ready};
 use stratiform_optics::phase::{Norm, PhaseTable};
@@ -28,12 +28,17 @@ pub struct KnobSetting {
 /// Errors and cost of every setting in one scene.
 ///
 /// # Errors
-/// [`ChartError`] if a cost cannot be measured.
-pub fn knobs(sample: &Sample, knobs: &[Knob], effort: Effort) -> Result<Vec<KnobRow>, ChartError> {
+/// [`ChartError`] if a cost cannot be measured, or [`ChartError::Cancelled`].
+pub fn knobs(
+    sample: &Sample,
+    knobs: &[Knob],
+    effort: Effort,
+    watch: Watch<'_>,
+) -> Result<Vec<KnobRow>, ChartError> {
     let mut rows = Vec::new();
     for knob in knobs {
         for KnobSetting { setting, method } in &knob.settings {
-            for found in assess(method.as_ref(), sample, effort)? {
+            for found in watch.over(|| assess(method.as_ref(), sample, effort))? {
                 rows.push(KnobRow {
                     scene: sample.name.clone(),
                     method: knob.method.clone(),

@@ -17,6 +17,7 @@ mod rows;
 mod sample;
 mod statistics;
 pub mod truth;
+mod watch;
 
 pub use assess::{Assessment, Tested, assess};
 pub use error::ChartError;
@@ -25,3 +26,4 @@ pub use quantity::Quantity;
 pub use rows::{chart, document};
 pub use sample::{CloudSample, Sample, Source};
 pub use statistics::Statistics;
+pub use watch::Watch;

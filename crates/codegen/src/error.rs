@@ -26,6 +26,14 @@ pub enum CodegenError {
         /// What naga says.
         message: String,
     },
+    /// A family's table whose angles are not those of the fluxes' table.
+    #[error(
+        "the table of effective radius {effective_radius_um} um has other angles than the table of fluxes"
+    )]
+    FamilyAngles {
+        /// The radius.
+        effective_radius_um: f64,
+    },
     /// No row for diffuse light.
     #[error("the parameter table has no row `diffuse`")]
     NoDiffuseRow,

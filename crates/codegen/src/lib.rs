@@ -15,11 +15,12 @@
 //! | `parameters.json`, `parameters.csv` | the parameters, with errors and flags |
 //! | `phase_full.csv`, `phase_modified.csv`, `phase_squared.csv` | P, P_S and P_S convolved with itself |
 //! | `phase_warped.csv` | the same on the angle map of `stratiform_quantities` |
+//! | `stratiform_family.*`, `family_*.csv` | with [`generate_family`]: the same over effective radius |
 
 mod embedded_test;
 mod error;
 mod error_card;
-mod family_member;
+mod family;
 mod files;
 mod inputs;
 pub mod language;
@@ -38,7 +39,7 @@ pub mod usage;
 
 pub use error::CodegenError;
 pub use error_card::{ErrorCard, error_card};
-pub use family_member::family_member;
+pub use family::{FAMILY_COORDINATE, FamilyVector, family_member, generate_family, parameter_family};
 pub use files::Files;
 pub use inputs::{Inputs, PhaseRow, PhaseTables, QUANTITIES, ReferencePoint};
 pub use language::{SubsetError, Target};

@@ -146,7 +146,8 @@ fn constants(inputs: &Inputs) -> String {
     )
 }
 
-fn structure(values: &Values<f64>) -> String {
+/// A row of a table.
+pub(crate) fn structure(values: &Values<f64>) -> String {
     let numbers = [values.b, values.c, values.kappa_c, values.t, values.r].map(literal);
     format!("StratiformParameters({})", numbers.join(", "))
 }

@@ -7,6 +7,10 @@
 //! Thickness is optical thickness of the full medium, so that one family serves every droplet number. r_e outside the
 //! family is refused.
 
+mod phase;
+
+pub use phase::{PhaseFamily, PhaseMember};
+
 use crate::parameters::Light;
 use crate::table::{Angle, ParameterGrid};
 use crate::{ModelError, Parameters, Real, Values};
@@ -87,17 +91,8 @@ impl<F: Real> ParameterFamily<F> {
     /// # Errors
     /// [`ModelError`] if a number is out of domain, radii or angles do not rise, or there are too few.
     pub fn new(coordinate: RadiusCoordinate, members: &[Member]) -> Result<Self, ModelError> {
-        if members.len() < 2 {
-            return Err(ModelError::TooFewRadii { radii: members.len() });
-        }
-        for pair in members.windows(2) {
-            let (previous, next) = (pair[0].effective_radius_um, pair[1].effective_radius_um);
-            if next.partial_cmp(&previous) != Some(std::cmp::Ordering::Greater) {
-                return Err(ModelError::UnsortedRadii { previous, next });
-            }
-        }
+        check_radii(&members.iter().map(|member| member.effective_radius_um).collect::<Vec<_>>())?;
         let node = |member: &Member| {
-            RADIUS_UM.check("effective_radius_um", member.effective_radius_um)?;
             let radius = F::of(member.effective_radius_um);
             let grid = ParameterGrid::new(&member.angles)?;
             let diffuse = Parameters::new(&member.diffuse, Incidence::Diffuse)?;
@@ -135,4 +130,21 @@ impl<F: Real> ParameterFamily<F> {
         let weight = (self.coordinate.of(radius) - a.place) / (b.place - a.place);
         Ok((a, b, weight))
     }
+}
+
+/// At least two radii within [`RADIUS_UM`], rising.
+fn check_radii(radii: &[f64]) -> Result<(), ModelError> {
+    if radii.len() < 2 {
+        return Err(ModelError::TooFewRadii { radii: radii.len() });
+    }
+    for pair in radii.windows(2) {
+        let (previous, next) = (pair[0], pair[1]);
+        if next.partial_cmp(&previous) != Some(std::cmp::Ordering::Greater) {
+            return Err(ModelError::UnsortedRadii { previous, next });
+        }
+    }
+    for radius in radii {
+        RADIUS_UM.check("effective_radius_um", *radius)?;
+    }
+    Ok(())
 }

@@ -14,8 +14,7 @@ pub fn run(args: &CodegenArgs, talk: Talk) -> Result<Data, CliError> {
     let folder = |name: &str| args.config.parent().unwrap_or(std::path::Path::new(".")).join(name);
     let (accepted, output) = (folder(&config.codegen.accepted), folder(&config.codegen.output));
     let inputs = pipeline::accepted::read_for(&config, &accepted)?;
-    let files =
-        stratiform_codegen::generate(&inputs, &config.codegen.targets).map_err(pipeline::input_error)?;
+    let files = pipeline::accepted::emitted(&config, &inputs, &accepted)?;
     if args.check {
         if let Err(stale) = stratiform_codegen::check(&files, &output) {
             let list: Vec<_> = stale.iter().map(|s| format!("{}/{s}", output.display())).collect();

@@ -2,12 +2,12 @@
 //!
 //! `reproduce` writes such a folder under its own; a copy of it, once looked at, is what is committed as accepted.
 
-use super::provenance;
+use super::{family, input_error, provenance};
 use crate::CliError;
 use crate::config::Config;
 use std::path::Path;
-use stratiform_artifact::{ParametersDocument, read_csv, read_json, write_csv, write_json};
-use stratiform_codegen::{Inputs, PhaseTables};
+use stratiform_artifact::{FamilyDocument, ParametersDocument, read_csv, read_json, write_csv, write_json};
+use stratiform_codegen::{Files, Inputs, PhaseTables, generate, generate_family};
 
 /// The files, in the order of the fields.
 pub const FILES: [&str; 5] =
@@ -32,6 +32,37 @@ pub fn read(folder: &Path) -> Result<Inputs, CliError> {
 /// Whether `parameters` were made from the optics, transport and fit of `config`.
 pub fn belong(parameters: &ParametersDocument, config: &Config) -> bool {
     parameters.provenance.config_hash == provenance(config).config_hash
+}
+
+/// The family's tables, where the config has one.
+pub const FAMILY: &str = "family.json";
+
+/// Reads the family's tables of `folder`, none if the config has no family.
+///
+/// # Errors
+/// [`CliError::Input`] for a missing or damaged file; [`CliError::Failed`] if it was made from another config.
+pub fn read_family(config: &Config, folder: &Path) -> Result<Option<FamilyDocument>, CliError> {
+    let Some(section) = &config.family else { return Ok(None) };
+    let document: FamilyDocument = read_json(&folder.join(FAMILY))?;
+    if document.provenance.config_hash != family::provenance(config, section).config_hash {
+        let file = folder.join(FAMILY);
+        let message = format!("{}: the accepted family is of another config: reproduce it", file.display());
+        return Err(CliError::Failed(message));
+    }
+    Ok(Some(document))
+}
+
+/// Everything that is emitted for the config from `inputs` and what `folder` holds of its family.
+///
+/// # Errors
+/// As [`read_family`], and [`CliError::Input`] for inputs that give no code.
+pub fn emitted(config: &Config, inputs: &Inputs, folder: &Path) -> Result<Files, CliError> {
+    let targets = &config.codegen.targets;
+    let files = generate(inputs, targets).map_err(input_error)?;
+    match read_family(config, folder)? {
+        None => Ok(files),
+        Some(family) => Ok(files.and(generate_family(inputs, &family, targets).map_err(input_error)?)),
+    }
 }
 
 /// Reads `folder` if what is in it was made from `config`.

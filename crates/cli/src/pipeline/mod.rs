@@ -1,5 +1,5 @@
 //! The chain in order: optics, reference, fit, radiance, family, codegen, witness, agreement, ladder, convergence,
-//! principal plane, notes, report. Each stage leaves files and is
+//! angular books, principal plane, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;

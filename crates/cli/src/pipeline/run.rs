@@ -3,8 +3,8 @@
 use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
-    accepted, agreement, convergence, curves, family, fluxes, input_error, ladder, notes, optics,
-    principal_plane, published, quadrature, radiance, source,
+    accepted, agreement, angular_books, convergence, curves, family, fluxes, input_error, ladder, notes,
+    optics, principal_plane, published, quadrature, radiance, source,
 };
 use crate::CliError;
 use crate::config::{Config, Source};
@@ -12,10 +12,10 @@ use crate::output::Talk;
 use crate::progress;
 use std::path::Path;
 use stratiform_artifact::{
-    LadderRow, OpticsDocument, ParametersDocument, Provenance, create_folder, read_csv, read_json, write_csv,
-    write_json,
+    LadderRow, OpticsDocument, ParametersDocument, Provenance, create_folder, read_csv, read_json, read_text,
+    write_atomic, write_csv, write_json,
 };
-use stratiform_codegen::{Inputs, PhaseRow, PhaseTables, Target as Language};
+use stratiform_codegen::{Inputs, PhaseRow, PhaseTables};
 use stratiform_fit::Reference;
 use stratiform_optics::phase::PhaseTable;
 
@@ -117,11 +117,12 @@ impl Chain<'_> {
     ) -> Result<(), CliError> {
         let Self { config, cloud, provenance, talk } = *self;
         let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
-        let targets = &config.codegen.targets;
-        work.stage("codegen", &(&before, targets), |dir| codegen(parameters, cloud, targets, dir))?;
+        let inputs = (&before, work.hash_of_stage("family"), &config.codegen.targets);
+        work.stage("codegen", &inputs, |dir| codegen(config, parameters, cloud, dir))?;
         self.agreement(work, parameters)?;
         self.ladder(work, parameters)?;
         self.convergence(work, &before)?;
+        work.stage("angular-books", &before, |dir| angular_books::write(config, cloud, parameters, dir))?;
         self.principal_plane(work, parameters)?;
         work.stage("notes", &(&before, provenance, config.published_table), |dir| {
             notes(config, document, cloud, parameters, provenance, dir)
@@ -134,6 +135,7 @@ impl Chain<'_> {
             "ladder",
             "convergence",
             "quadrature",
+            "angular-books",
             "principal-plane",
             "notes",
         ]
@@ -212,9 +214,9 @@ impl Chain<'_> {
 }
 
 fn codegen(
+    config: &Config,
     parameters: &ParametersDocument,
     cloud: &Cloud,
-    targets: &[Language],
     dir: &Path,
 ) -> Result<Vec<String>, CliError> {
     let theta_f = parameters.medium.theta_f_deg;
@@ -232,10 +234,15 @@ fn codegen(
     let folder = dir.join("accepted");
     create_folder(&folder)?;
     accepted::write(&folder, &inputs)?;
-    let files = stratiform_codegen::generate(&inputs, targets).map_err(input_error)?;
+    if config.family.is_some() {
+        let text = read_text(&dir.join(accepted::FAMILY))?;
+        write_atomic(&folder.join(accepted::FAMILY), text.as_bytes())?;
+    }
+    let files = accepted::emitted(config, &inputs, &folder)?;
     stratiform_codegen::write(&files, &dir.join("generated")).map_err(input_error)?;
     let emitted = files.names().map(|name| format!("generated/{name}"));
-    Ok(accepted::FILES.iter().map(|name| format!("accepted/{name}")).chain(emitted).collect())
+    let kept = accepted::FILES.iter().copied().chain(config.family.iter().map(|_| accepted::FAMILY));
+    Ok(kept.map(|name| format!("accepted/{name}")).chain(emitted).collect())
 }
 
 fn notes(

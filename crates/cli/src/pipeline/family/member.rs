@@ -1,5 +1,6 @@
 //! One member of a family: optics, fluxes from the solver, and the table fitted to them.
 
+use super::phase::texels;
 use crate::CliError;
 use crate::config::Config;
 use crate::pipeline::fluxes::nodes;
@@ -9,7 +10,7 @@ use crate::pipeline::reference::Media;
 use crate::pipeline::{input_error, solved, source};
 use stratiform_artifact::{Extinction, FamilyMember, ParametersDocument};
 use stratiform_codegen::ReferencePoint;
-use stratiform_optics::phase::PhaseFunction;
+use stratiform_optics::phase::{PhaseFunction, PhaseTable};
 
 /// Everything that is known of one effective radius.
 pub struct Computed {
@@ -17,6 +18,10 @@ pub struct Computed {
     pub radius_um: f64,
     /// g_S.
     pub modified_asymmetry: f64,
+    /// P of the full medium.
+    pub full: PhaseTable,
+    /// P_S convolved with itself.
+    pub squared: PhaseTable,
     /// The fitted table.
     pub parameters: ParametersDocument,
     /// Incidences and optical thicknesses of the fit.
@@ -49,7 +54,9 @@ impl Computed {
         let modified = cloud.phase.modified(config.optics.theta_f_deg).map_err(input_error)?;
         Ok(Self {
             radius_um,
-            modified_asymmetry: modified.moments(2)[1],
+            modified_asymmetry: modified.asymmetry(),
+            squared: modified.squared().map_err(input_error)?,
+            full: cloud.phase,
             parameters,
             places: places(&nodes(&config), &tau),
             points,
@@ -65,6 +72,8 @@ impl Computed {
             number_density_per_cm3: self.number_density_per_cm3,
             extinction_per_m: self.extinction,
             modified_asymmetry: self.modified_asymmetry,
+            phase: texels(&self.full),
+            phase_squared: texels(&self.squared),
             parameters: self.parameters.clone(),
         }
     }

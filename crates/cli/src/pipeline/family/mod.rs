@@ -10,10 +10,12 @@
 //! | `family.json` | the tables, with g, P_f, κ of each radius |
 //! | `family-interpolation.csv` | radii half-way between: interpolated tables against the solver, and against their own fit |
 //! | `family-scaling.csv` | the table of the config's own radius at the others, entered with scaled thicknesses |
+//! | `family-phase.csv` | radii half-way between: interpolated phase functions |
 
 mod errors;
 mod interpolation;
 mod member;
+mod phase;
 mod scaling;
 mod summary;
 
@@ -26,13 +28,11 @@ use crate::progress;
 use member::Computed;
 use std::path::Path;
 use stratiform_artifact::{FamilyDocument, Provenance, hash_of, write_csv, write_json};
-use stratiform_model::family::RadiusCoordinate;
-
-/// The coordinate that `family-interpolation.csv` finds best, and emitted code uses.
-pub const COORDINATE: RadiusCoordinate = RadiusCoordinate::TwoThirds;
+use stratiform_codegen::FAMILY_COORDINATE;
 
 /// The files, in the order of the table above.
-pub const FILES: [&str; 3] = ["family.json", "family-interpolation.csv", "family-scaling.csv"];
+pub const FILES: [&str; 4] =
+    ["family.json", "family-interpolation.csv", "family-scaling.csv", "family-phase.csv"];
 
 /// What the family depends on.
 pub fn inputs(config: &Config, family: &FamilyConfig) -> impl serde::Serialize + use<> {
@@ -66,12 +66,13 @@ pub fn write(
     let document = FamilyDocument {
         schema: FamilyDocument::SCHEMA.to_owned(),
         provenance: provenance(config, family),
-        coordinate: COORDINATE.to_string(),
+        coordinate: FAMILY_COORDINATE.to_string(),
         members: members.iter().map(Computed::artifact).collect(),
     };
     write_json(&dir.join(FILES[0]), &document)?;
     write_csv(&dir.join(FILES[1]), &interpolation::rows(&members, &between)?)?;
     write_csv(&dir.join(FILES[2]), &scaling::rows(config, &members)?)?;
+    write_csv(&dir.join(FILES[3]), &phase::rows(&members, &between)?)?;
     Ok(FILES.map(str::to_owned).to_vec())
 }
 
