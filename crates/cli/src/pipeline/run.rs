@@ -3,7 +3,7 @@
 use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
-    accepted, agreement, angular_books, convergence, curves, family, fluxes, input_error, ladder, notes,
+    accepted, agreement, angular_books, convergence, curves, family, fluxes, halo, input_error, ladder, notes,
     optics, principal_plane, published, quadrature, radiance, source,
 };
 use crate::CliError;
@@ -229,6 +229,7 @@ fn codegen(
     let inputs = Inputs {
         parameters: parameters.clone(),
         phase: PhaseTables { full: rows(&cloud.phase), modified: rows(&modified), squared: rows(&squared) },
+        halo: halo::table(&cloud.phase, theta_f)?,
         reference: read_csv(&dir.join("reference.csv"))?,
     };
     let folder = dir.join("accepted");
@@ -237,7 +238,8 @@ fn codegen(
     let files = stratiform_codegen::generate(&inputs, targets).map_err(input_error)?;
     stratiform_codegen::write(&files, &dir.join("generated")).map_err(input_error)?;
     let emitted = files.names().map(|name| format!("generated/{name}"));
-    Ok(accepted::FILES.iter().map(|name| format!("accepted/{name}")).chain(emitted).collect())
+    let halo = inputs.halo.iter().map(|_| accepted::HALO);
+    Ok(accepted::FILES.into_iter().chain(halo).map(|name| format!("accepted/{name}")).chain(emitted).collect())
 }
 
 fn notes(
