@@ -2,7 +2,7 @@
 // Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -52,17 +52,21 @@ StratiformWeights stratiform_weights_top(float mu_l, float mu_v, float tau) {
     return StratiformWeights(share * b.rise, share * b.once_each);
 }
 
-// Light that leaves the other face: ways between the lengths depth / mu_l and depth / mu_v.
-StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
+// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
+StratiformWeights stratiform_weights_through(float mu_l, float mu_v, float depth) {
     float sun = stratiform_leaning(mu_l);
     float view = stratiform_leaning(mu_v);
-    float depth = STRATIFORM_KAPPA_S * tau;
     float shortest = depth / (sun > view ? sun : view);
     // Nowhere 0: the mean over equal lengths is the limit of this one.
     float apart = abs(sun - view) + 1e-9 * sun;
     StratiformBrackets b = stratiform_brackets(depth * apart / sun / view);
     float share = exp(-shortest) / apart;
     return StratiformWeights(share * b.rise, share * (shortest * b.rise + b.once_each));
+}
+
+// Light that leaves the other face.
+StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
+    return stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------

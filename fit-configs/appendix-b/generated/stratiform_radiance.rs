@@ -2,7 +2,7 @@
 // Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -56,17 +56,21 @@ pub fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeigh
     StratiformWeights { once: share * b.rise, twice: share * b.once_each }
 }
 
-/// Light that leaves the other face: ways between the lengths depth / mu_l and depth / mu_v.
-pub fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
+/// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
+pub fn stratiform_weights_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformWeights {
     let sun: f32 = stratiform_leaning(mu_l);
     let view: f32 = stratiform_leaning(mu_v);
-    let depth: f32 = STRATIFORM_KAPPA_S * tau;
     let shortest: f32 = depth / (if sun > view { sun } else { view });
     // Nowhere 0: the mean over equal lengths is the limit of this one.
     let apart: f32 = (sun - view).abs() + 1e-9 * sun;
     let b: StratiformBrackets = stratiform_brackets(depth * apart / sun / view);
     let share: f32 = (-shortest).exp() / apart;
     StratiformWeights { once: share * b.rise, twice: share * (shortest * b.rise + b.once_each) }
+}
+
+/// Light that leaves the other face.
+pub fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
+    stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau)
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@ mod curves;
 pub mod export;
 pub mod family;
 pub mod fluxes;
+pub mod halo;
 pub mod hemisphere;
 pub mod ladder;
 mod notes;

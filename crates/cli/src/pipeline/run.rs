@@ -3,8 +3,8 @@
 use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
-    accepted, agreement, angular_books, convergence, curves, family, fluxes, input_error, ladder, notes,
-    optics, principal_plane, published, quadrature, radiance, source,
+    accepted, agreement, angular_books, convergence, curves, family, fluxes, halo, input_error, ladder,
+    notes, optics, principal_plane, published, quadrature, radiance, source,
 };
 use crate::CliError;
 use crate::config::{Config, Source};
@@ -229,6 +229,7 @@ fn codegen(
     let inputs = Inputs {
         parameters: parameters.clone(),
         phase: PhaseTables { full: rows(&cloud.phase), modified: rows(&modified), squared: rows(&squared) },
+        halo: halo::table(&cloud.phase, theta_f)?,
         reference: read_csv(&dir.join("reference.csv"))?,
     };
     let folder = dir.join("accepted");
@@ -241,7 +242,9 @@ fn codegen(
     let files = accepted::emitted(config, &inputs, &folder)?;
     stratiform_codegen::write(&files, &dir.join("generated")).map_err(input_error)?;
     let emitted = files.names().map(|name| format!("generated/{name}"));
-    let kept = accepted::FILES.iter().copied().chain(config.family.iter().map(|_| accepted::FAMILY));
+    let family = config.family.iter().map(|_| accepted::FAMILY);
+    let halo = inputs.halo.iter().map(|_| accepted::HALO);
+    let kept = accepted::FILES.iter().copied().chain(family).chain(halo);
     Ok(kept.map(|name| format!("accepted/{name}")).chain(emitted).collect())
 }
 

@@ -29,17 +29,21 @@ fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
     return StratiformWeights(share * b.rise, share * b.once_each);
 }
 
-// Light that leaves the other face: ways between the lengths depth / mu_l and depth / mu_v.
-fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
+// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
+fn stratiform_weights_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformWeights {
     let sun = stratiform_leaning(mu_l);
     let view = stratiform_leaning(mu_v);
-    let depth = STRATIFORM_KAPPA_S * tau;
     let shortest = depth / select(view, sun, sun > view);
     // Nowhere 0: the mean over equal lengths is the limit of this one.
     let apart = abs(sun - view) + 1e-9 * sun;
     let b = stratiform_brackets(depth * apart / sun / view);
     let share = exp(-shortest) / apart;
     return StratiformWeights(share * b.rise, share * (shortest * b.rise + b.once_each));
+}
+
+// Light that leaves the other face.
+fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
+    return stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
