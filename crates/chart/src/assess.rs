@@ -5,30 +5,8 @@
 
 use crate::cost::{Effort, alone, flux_ns, radiance_ns};
 use crate::{ChartError, CloudSample, Quantity, Sample, Statistics};
-use stratiform_methods::{Card, Cloud, FluxPair, FluxPoint, Method, MethodError, Point, Ready};
+use stratiform_methods::{Card, FluxPair, FluxPoint, Method, MethodError, Point, Ready};
 use stratiform_stats::Estimate;
-
-/// A method under a name, prepared for whatever cloud the chart gives it.
-pub trait Tested: Sync {
-    /// What it is.
-    fn card(&self) -> &Card;
-
-    /// Ready for a cloud.
-    ///
-    /// # Errors
-    /// [`MethodError`] if the cloud is outside its domain.
-    fn prepare(&self, cloud: &Cloud) -> Result<Box<dyn Ready>, MethodError>;
-}
-
-impl Tested for Box<dyn Method> {
-    fn card(&self) -> &Card {
-        self.as_ref().card()
-    }
-
-    fn prepare(&self, cloud: &Cloud) -> Result<Box<dyn Ready>, MethodError> {
-        self.as_ref().prepare(cloud)
-    }
-}
 
 /// How a method fared.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,7 +72,7 @@ impl Tally {
 ///
 /// # Errors
 /// [`ChartError::Method`] if a cost cannot be measured.
-pub fn assess(method: &dyn Tested, sample: &Sample, effort: Effort) -> Result<Vec<Assessment>, ChartError> {
+pub fn assess(method: &dyn Method, sample: &Sample, effort: Effort) -> Result<Vec<Assessment>, ChartError> {
     let mut tallies = Quantity::ALL.map(Tally::new);
     for (place, one) in sample.clouds.iter().enumerate() {
         let ready = method.card().domain.check_cloud(&one.cloud).and_then(|()| method.prepare(&one.cloud));
