@@ -8,9 +8,7 @@ use stratiform_artifact::ChartRow;
 use stratiform_chart::cost::Effort;
 use stratiform_chart::grid::{Density, Grid};
 use stratiform_chart::truth::Truth;
-use stratiform_chart::{
-    CloudSample, Knob, KnobSetting, Sample, Tested, Watch, assess, chart, coarse_phase, document, knobs,
-};
+use stratiform_chart::{CloudSample, Knob, KnobSetting, Sample, Watch, assess, chart, document, knobs};
 use stratiform_methods::{
     Card, Class, Cloud, Domain, FluxPair, FluxPoint, Method, MethodError, Point, Ready, Single,
 };
@@ -128,8 +126,7 @@ fn boxed(fake: Fake) -> Box<dyn Method> {
 
 fn rows(sample: &Sample, fakes: Vec<Fake>) -> Vec<ChartRow> {
     let methods: Vec<Box<dyn Method>> = fakes.into_iter().map(boxed).collect();
-    let tested: Vec<&dyn Tested> = methods.iter().map(|method| method as &dyn Tested).collect();
-    chart(sample, &tested, EFFORT, Watch { progress: &|| (), cancel: &AtomicBool::new(false) }).unwrap()
+    chart(sample, &methods, EFFORT, Watch { progress: &|| (), cancel: &AtomicBool::new(false) }).unwrap()
 }
 
 #[test]
@@ -177,11 +174,13 @@ fn solvers_are_timed_in_batches_at_the_ends_of_the_ranges() {
     sample.clouds[0].truth = Truth::solve(&sample.clouds[0].cloud, &grid).unwrap();
     sample.clouds[0].grid = grid;
     let solver = Fake { shader: false, ..fake("solver", &sample, 0.1) };
-    let found = assess(&boxed(solver), &sample, EFFORT).unwrap();
+    let found = assess(boxed(solver).as_ref(), &sample, EFFORT).unwrap();
     assert!(found.iter().all(|one| !one.single && one.ns.unwrap() > 0.0));
-    let all = assess(&boxed(fake("shader", &sample, 0.1)), &sample, EFFORT).unwrap();
+    let all = assess(boxed(fake("shader", &sample, 0.1)).as_ref(), &sample, EFFORT).unwrap();
     let asked = |of: &stratiform_chart::Assessment| of.points + of.excluded;
-    assert!(found.iter().zip(&all).all(|(few, all)| 3 * asked(few) == 2 * asked(all)));
+    let counts: Vec<_> = found.iter().zip(&all).map(|(few, all)| (asked(few), asked(all))).collect();
+    // Two of three suns; of eight views the first, fourth and seventh.
+    assert_eq!(counts, [(8, 24), (4, 24), (4, 6), (4, 6)]);
 }
 
 #[test]
@@ -212,7 +211,7 @@ fn the_truth_conserves_energy_and_knows_its_radiances() {
 fn the_manifest_names_everything_and_holds_no_time() {
     let sample = sample();
     let method = boxed(fake("one", &sample, 0.0));
-    let document = document(&[sample], &[&method], true);
+    let document = document(&[sample], &[method], true);
     assert_eq!(
         (document.methods[0].class.as_str(), document.scenes[0].clouds[0].tau.len()),
         ("heuristic", 2)
@@ -221,57 +220,10 @@ fn the_manifest_names_everything_and_holds_no_time() {
     assert!(!text.contains("_ns") && !text.contains("seconds"));
 }
 
-/// Gives P at 30° as the radiance.
-struct Peek(Card);
-
-struct Peeked(f64);
-
-impl Method for Peek {
-    fn card(&self) -> &Card {
-        &self.0
-    }
-
-    fn prepare(&self, cloud: &Cloud) -> Result<Box<dyn Ready>, MethodError> {
-        Ok(Box::new(Peeked(cloud.phase().at(30_f64.to_radians()))))
-    }
-}
-
-impl Ready for Peeked {
-    fn radiances(&self, points: &[Point]) -> Result<Vec<Estimate>, MethodError> {
-        Ok(points.iter().map(|_| Estimate { value: self.0, std_error: 0.0 }).collect())
-    }
-
-    fn fluxes(&self, _: &[FluxPoint]) -> Result<Vec<FluxPair>, MethodError> {
-        Err(MethodError::NotGiven { method: "peek".to_owned(), quantity: "flux" })
-    }
-}
-
-#[test]
-fn a_coarse_phase_table_is_coarse_and_a_fine_one_is_right() {
-    let sample = sample();
-    let at = |texels: usize| {
-        let card = Card { flux: false, ..fake("peek", &sample, 0.0).card };
-        let coarse = coarse_phase(Box::new(Peek(card)), texels).unwrap();
-        let point = Point { tau: 1.0, mu_l: 1.0, mu_v: 1.0, phi_deg: 0.0, side: Side::Top };
-        coarse.prepare(&sample.clouds[0].cloud).unwrap().radiances(&[point]).unwrap()[0].value
-    };
-    let exact = sample.clouds[0].cloud.phase().at(30_f64.to_radians());
-    assert!(
-        (at(1024) / exact - 1.0).abs() < 1e-3 && (at(16) / exact - 1.0).abs() > 5e-3,
-        "{} {} {exact}",
-        at(1024),
-        at(16)
-    );
-    assert!(coarse_phase(Box::new(Peek(fake("peek", &sample, 0.0).card)), 2).is_err());
-}
-
 #[test]
 fn a_knob_that_turns_towards_the_truth_shows_it() {
     let sample = sample();
-    let setting = |setting: f64| KnobSetting {
-        setting,
-        method: Box::new(boxed(fake("fake", &sample, 1.0 / setting))) as Box<dyn Tested>,
-    };
+    let setting = |setting: f64| KnobSetting { setting, method: boxed(fake("fake", &sample, 1.0 / setting)) };
     let knob = Knob {
         method: "fake".to_owned(),
         knob: "orders".to_owned(),

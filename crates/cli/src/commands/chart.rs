@@ -7,8 +7,7 @@ use crate::{CliError, interrupt, pipeline, progress};
 use stratiform_artifact::{ChartDocument, ChartRow, KnobRow, create_folder, to_csv, write_csv, write_json};
 use stratiform_chart::cost::Effort;
 use stratiform_chart::{
-    ChartError, Knob, KnobSetting, Sample, Source, Tested, Watch, chart, clouds, coarse_phase, document,
-    knobs,
+    ChartError, Knob, KnobSetting, Sample, Source, Watch, chart, clouds, document, knobs,
 };
 use stratiform_methods::{self as methods, Method, by_name};
 use stratiform_scene::{NAMES, Scene, find};
@@ -18,11 +17,17 @@ type Methods = Vec<Box<dyn Method>>;
 /// The scene whose main cloud the knobs are turned in, where it is asked for; otherwise the first one.
 const KNOB_SCENE: &str = "stratocumulus-above";
 
-/// Texels of the phase-table curves.
-const TEXELS: [usize; 5] = [64, 128, 256, 512, 1024];
-
-/// Methods whose phase table is made coarser for a curve.
-const WITH_PHASE_TABLE: [&str; 2] = ["bouthors-corrected", "better"];
+/// Methods whose knobs are turned where none is asked for: one of each kind.
+const TURNED: [&str; 8] = [
+    "single-mie",
+    "octaves",
+    "bouthors-corrected",
+    "better",
+    "orders",
+    "solver",
+    "monte-carlo",
+    "half-space",
+];
 
 /// What was found.
 struct Found {
@@ -81,42 +86,27 @@ fn chosen(asked: &[String]) -> Result<Methods, CliError> {
     asked.iter().map(|name| by_name(name).map_err(pipeline::input_error)).collect()
 }
 
-/// The knobs of the methods asked for, or of all.
+/// The knobs of the methods asked for, or of some.
 fn turned(asked: &[String]) -> Result<Vec<Knob>, CliError> {
-    let all: Vec<String> = methods::all().iter().map(|method| method.card().name.clone()).collect();
-    let names = if asked.is_empty() { &all } else { asked };
-    let mut turned: Vec<Knob> = Vec::new();
-    for stem in names.iter().map(|name| name.split_once(':').map_or(name.as_str(), |(stem, _)| stem)) {
-        if turned.iter().any(|knob| knob.method == stem) {
-            continue;
-        }
-        turned.extend(own_knob(stem)?);
-        if WITH_PHASE_TABLE.contains(&stem) {
-            turned.push(phase_knob(stem)?);
-        }
+    let mut stems: Vec<&str> =
+        asked.iter().map(|name| name.split_once(':').map_or(name.as_str(), |(stem, _)| stem)).collect();
+    stems.dedup();
+    if stems.is_empty() {
+        stems.extend(TURNED);
     }
-    Ok(turned)
+    let turned: Vec<Option<Knob>> = stems.into_iter().map(knob).collect::<Result<_, _>>()?;
+    Ok(turned.into_iter().flatten().collect())
 }
 
-/// The knob that the method itself has.
-fn own_knob(stem: &str) -> Result<Option<Knob>, CliError> {
+/// The knob of a method, if it has one.
+fn knob(stem: &str) -> Result<Option<Knob>, CliError> {
     let Some(knob) = methods::knobs(stem) else { return Ok(None) };
     let setting = |value: &f64| {
         let method = by_name(&format!("{stem}:{value}")).map_err(pipeline::input_error)?;
-        Ok(KnobSetting { setting: *value, method: Box::new(method) as Box<dyn Tested> })
+        Ok(KnobSetting { setting: *value, method })
     };
     let settings = knob.values.iter().map(setting).collect::<Result<_, CliError>>()?;
     Ok(Some(Knob { method: stem.to_owned(), knob: knob.counts.to_owned(), settings }))
-}
-
-/// Texels of its phase table.
-fn phase_knob(stem: &str) -> Result<Knob, CliError> {
-    let setting = |texels: &usize| {
-        let method = coarse_phase(by_name(stem).map_err(pipeline::input_error)?, *texels).map_err(fault)?;
-        Ok(KnobSetting { setting: *texels as f64, method })
-    };
-    let settings = TEXELS.iter().map(setting).collect::<Result<_, CliError>>()?;
-    Ok(Knob { method: stem.to_owned(), knob: "phase table texels".to_owned(), settings })
 }
 
 fn measure(
@@ -140,12 +130,11 @@ fn measure(
         .map(|(name, scene)| Sample::of_scene(name, scene, &source))
         .collect::<Result<_, _>>()
         .map_err(fault)?;
-    let tested: Vec<&dyn Tested> = methods.iter().map(|method| method as &dyn Tested).collect();
     let effort = if quick { Effort::QUICK } else { Effort::FULL };
-    let manifest = document(&samples, &tested, quick);
+    let manifest = document(&samples, methods, quick);
     let mut rows = Vec::new();
     for sample in &samples {
-        rows.extend(chart(sample, &tested, effort, watch).map_err(fault)?);
+        rows.extend(chart(sample, methods, effort, watch).map_err(fault)?);
     }
     let place = samples.iter().position(|sample| sample.name == KNOB_SCENE).unwrap_or(0);
     let main = samples.into_iter().nth(place).map(Sample::main_only);

@@ -1,9 +1,7 @@
 //! One figure for each knob: error and cost as it turns.
 
-use super::scene::QUANTITIES;
-use crate::chart::{
-    Axis, Figure, LegendEntry, Line, Marker, Panel, Point, Row, Scale, Series, Style, palette,
-};
+use super::scene::{QUANTITIES, logarithmic};
+use crate::chart::{Axis, Figure, LegendEntry, Line, Marker, Panel, Point, Row, Series, Style, palette};
 use stratiform_artifact::KnobRow;
 
 const STYLES: [(&str, Line, Marker); 4] = [
@@ -49,8 +47,8 @@ fn figure(method: &str, knob: &str, rows: &[KnobRow]) -> Figure {
         let all = || series.iter().flat_map(|s| &s.points);
         Panel {
             title: title.to_owned(),
-            x: Axis::new(knob, Scale::logarithmic(all().map(|p| p.x))),
-            y: Axis::new(label, Scale::logarithmic(all().map(|p| p.y))),
+            x: Axis::new(knob, logarithmic(all().map(|p| p.x))),
+            y: Axis::new(label, logarithmic(all().map(|p| p.y))),
             series,
             marks: Vec::new(),
         }
@@ -62,7 +60,7 @@ fn figure(method: &str, knob: &str, rows: &[KnobRow]) -> Figure {
     Figure {
         name: format!("knob-{method}-{}", knob.replace(' ', "-")),
         title: format!("{method}: {knob}"),
-        caption: String::new(),
+        caption: format!("The curves of {method} as its knob turns, in one scene's main cloud."),
         legend: drawn.iter().map(|(_, title, style)| LegendEntry::new(*title, *style)).collect(),
         rows: vec![Row { height: 300.0, panels }],
     }

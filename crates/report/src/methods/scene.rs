@@ -30,12 +30,12 @@ const SMALLEST: f64 = 1e-7;
 /// The figure of a scene.
 pub fn figure(scene: &ChartScene, rows: &[ChartRow]) -> Figure {
     let rows: Vec<&ChartRow> = rows.iter().filter(|row| row.scene == scene.name).collect();
-    let panels: Vec<Panel> = QUANTITIES
+    let panels: Vec<(bool, Panel)> = QUANTITIES
         .iter()
         .filter_map(|(quantity, title)| {
             let there: Vec<&ChartRow> =
                 rows.iter().copied().filter(|row| row.quantity == *quantity).collect();
-            (!there.is_empty()).then(|| panel(title, &there))
+            (!there.is_empty()).then(|| (quantity.starts_with("radiance"), panel(title, &there)))
         })
         .collect();
     let classes = CLASSES.iter().filter(|class| rows.iter().any(|row| row.class == class.0));
@@ -49,8 +49,27 @@ pub fn figure(scene: &ChartScene, rows: &[ChartRow]) -> Figure {
         caption: "Median of the relative error against the solver, and time of one evaluation on one thread."
             .to_owned(),
         legend,
-        rows: panels.chunks(2).map(|pair| Row { height: 340.0, panels: pair.to_vec() }).collect(),
+        rows: layout(panels),
     }
+}
+
+/// Radiances, which most methods give, have a row each; fluxes share one.
+fn layout(panels: Vec<(bool, Panel)>) -> Vec<Row> {
+    let (radiances, fluxes): (Vec<_>, Vec<_>) = panels.into_iter().partition(|(radiance, _)| *radiance);
+    let mut rows: Vec<Row> =
+        radiances.into_iter().map(|(_, panel)| Row { height: 400.0, panels: vec![panel] }).collect();
+    if !fluxes.is_empty() {
+        rows.push(Row { height: 320.0, panels: fluxes.into_iter().map(|(_, panel)| panel).collect() });
+    }
+    rows
+}
+
+/// A logarithmic axis over at least a factor of four, so that it has a label.
+pub fn logarithmic(values: impl Iterator<Item = f64> + Clone) -> Scale {
+    let most = values.clone().fold(0.0, f64::max);
+    let least = values.clone().filter(|value| *value > 0.0).fold(most, f64::min);
+    let wider = if most < 4.0 * least { vec![0.5 * least, 2.0 * most] } else { Vec::new() };
+    Scale::logarithmic(values.chain(wider))
 }
 
 const FRONT: Style = Style::line(palette::BLACK, Line::Dotted);
@@ -75,8 +94,8 @@ fn panel(title: &str, rows: &[&ChartRow]) -> Panel {
     };
     Panel {
         title: title.to_owned(),
-        x: Axis::new("time of one evaluation (ns)", Scale::logarithmic(placed.iter().map(|p| p.1))),
-        y: Axis::new("median relative error (1)", Scale::logarithmic(placed.iter().map(|p| p.2))),
+        x: Axis::new("time of one evaluation (ns)", logarithmic(placed.iter().map(|p| p.1))),
+        y: Axis::new("median relative error (1)", logarithmic(placed.iter().map(|p| p.2))),
         marks: placed.iter().map(mark).collect(),
         series,
     }
