@@ -64,7 +64,7 @@ pub(crate) fn method() -> Simple {
         class: Class::Mixed,
         domain: Domain {
             omega: Range::closed(1.0, 1.0),
-            r_eff_um: Range::closed(7.0, 7.0),
+            r_eff_um: Range::closed(4.0, 20.0),
             ..Domain::EVERYWHERE
         },
         radiance: true,
