@@ -121,7 +121,7 @@ impl Asked<'_> {
         for (i, point) in all
             .iter()
             .enumerate()
-            .filter(|(i, _)| self.is_asked(i / views) && (!self.slow || i % views % EVERY == 0))
+            .filter(|(i, _)| self.is_asked(i / views) && (!self.slow || (i % views).is_multiple_of(EVERY)))
         {
             let tally = &mut tallies[place(Quantity::Radiance(point.side))];
             match self.one.truth.radiances[i] {

@@ -102,7 +102,7 @@ mod tests {
         let turn = |turns: &u32| (0..*turns).fold(1.0_f32, |x, _| black_box(0.5 * x + 1.0));
         assert!(ns_each(&[20, 30], effort, turn).unwrap() > 0.0);
         assert_eq!(ns_each(&[], effort, turn), None);
-        let (sum, ns) = alone(|| rayon::current_num_threads()).unwrap();
+        let (sum, ns) = alone(rayon::current_num_threads).unwrap();
         assert!(sum == 1 && ns > 0.0);
     }
 }

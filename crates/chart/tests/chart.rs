@@ -14,7 +14,7 @@ use stratiform_methods::{
 };
 use stratiform_model::angular::Sight;
 use stratiform_optics::phase::{HenyeyGreenstein, Norm, PhaseFunction, PhaseTable, versine};
-use stratiform_quantities::{Asymmetry, Range, Side, SingleScatteringAlbedo};
+use stratiform_quantities::{Asymmetry, Range, SingleScatteringAlbedo};
 use stratiform_scene::{Interval, named};
 use stratiform_stats::Estimate;
 
