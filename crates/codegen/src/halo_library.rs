@@ -46,14 +46,18 @@ pub(crate) fn library<'a>(
         name: "stratiform_halo",
         code: fill(include_str!("wgsl/halo.wgsl"), &places),
         owner: Some("StratiformHalo"),
-        glue: Some(Glue { function: "stratiform_halo_texel", text: Box::new(move |target| table.access(target)) }),
+        glue: Some(Glue {
+            function: "stratiform_halo_texel",
+            text: Box::new(move |target| table.access(target)),
+        }),
         needs,
     })
 }
 
 fn self_test(inputs: &Inputs) -> Result<[(&'static str, String); 3], CodegenError> {
     let twin = Twin::new(inputs)?;
-    let vector = |[mu_l, mu_v, theta_deg, tau]: &[f64; 4]| twin.vector([*mu_l, *mu_v, versine(*theta_deg), *tau], 0);
+    let vector =
+        |[mu_l, mu_v, theta_deg, tau]: &[f64; 4]| twin.vector([*mu_l, *mu_v, versine(*theta_deg), *tau], 0);
     let vectors = TESTED.iter().map(vector).collect::<Result<Vec<_>, _>>()?;
     let sight = vectors.iter().map(|s| {
         let numbers = [s.mu_l, s.mu_v, s.v, s.tau].map(literal);
@@ -91,8 +95,11 @@ fn curvature(halo: &HaloTable) -> String {
     let rows: Vec<_> = halo.values.chunks(columns).collect();
     let off = |value: f64, a: f64, b: f64, peak: f64| 0.25 * (value - 0.5 * (a + b)).abs() / peak;
     let across = rows.iter().flat_map(|row| row.windows(3).map(|w| off(w[1], w[0], w[2], row[0])));
-    let along = rows.windows(3).flat_map(|w| (0..columns).map(move |i| off(w[1][i], w[0][i], w[2][i], w[1][0])));
+    let along =
+        rows.windows(3).flat_map(|w| (0..columns).map(move |i| off(w[1][i], w[0][i], w[2][i], w[1][0])));
     let worst = |errors: &mut dyn Iterator<Item = f64>| errors.fold(0.0, f64::max);
     let (across, along) = (worst(&mut { across }), worst(&mut { along }));
-    format!("//            {across:.1e} of the row's peak at most between columns, {along:.1e} between rows.\n")
+    format!(
+        "//            {across:.1e} of the row's peak at most between columns, {along:.1e} between rows.\n"
+    )
 }

@@ -53,7 +53,9 @@ impl HaloTable {
         self.values.iter().try_for_each(|value| PHASE.check("halo", *value).map(drop))?;
         match self.values.len() % self.angles {
             0 => Ok(()),
-            rest => Err(CodegenError::Phase { table: "halo", message: format!("its last row has {rest} values") }),
+            rest => {
+                Err(CodegenError::Phase { table: "halo", message: format!("its last row has {rest} values") })
+            }
         }
     }
 }

@@ -4,8 +4,8 @@ use crate::error_card::spread;
 use crate::language::{Glue, Library};
 use crate::phase::{COUNT, warped};
 use crate::shader::{cases, medium_line};
-use crate::text::{banner, fill, literal};
 use crate::table_access::Table;
+use crate::text::{banner, fill, literal};
 use crate::{Inputs, PhaseRow};
 use stratiform_quantities::angle_map::place;
 

@@ -139,8 +139,7 @@ impl Twin {
 impl Twin {
     fn halo_at(&self, table: &HaloTable, [mu_l, mu_v, v, tau]: [f64; 4]) -> Result<f64, CodegenError> {
         let slab = Angular::new(tau, Sight { mu_l, mu_v, v, side: Side::Bottom })?;
-        let peak =
-            Peak { forward_fraction: self.tables.forward_fraction, edge: self.tables.edge };
+        let peak = Peak { forward_fraction: self.tables.forward_fraction, edge: self.tables.edge };
         Ok(Halo::new(&slab, tau, peak).total(&self.tables, &|v, q| shape(table, v, q)))
     }
 }

@@ -26,8 +26,9 @@ impl Table {
         let indexed = format!("{prefix}_table[row * {columns}u + index]");
         match target {
             Target::Wgsl => {
-                format!("{bound}@group(0) @binding({binding}) var<storage, read> {prefix}_table: array<f32>;\n\n")
-                    + &reader(&format!("fn {prefix}_texel(row: u32, index: u32) -> f32"), &indexed)
+                format!(
+                    "{bound}@group(0) @binding({binding}) var<storage, read> {prefix}_table: array<f32>;\n\n"
+                ) + &reader(&format!("fn {prefix}_texel(row: u32, index: u32) -> f32"), &indexed)
             }
             Target::Glsl450 => {
                 let block = self.block();

@@ -28,7 +28,10 @@ pub fn read(folder: &Path) -> Result<Inputs, CliError> {
             modified: read_csv(&folder.join(FILES[2]))?,
             squared: read_csv(&folder.join(FILES[3]))?,
         },
-        halo: Some(folder.join(HALO)).filter(|path| path.exists()).map(|path| read_json(&path)).transpose()?,
+        halo: Some(folder.join(HALO))
+            .filter(|path| path.exists())
+            .map(|path| read_json(&path))
+            .transpose()?,
         reference: read_csv(&folder.join(FILES[4]))?,
     })
 }

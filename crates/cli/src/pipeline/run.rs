@@ -3,8 +3,8 @@
 use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
-    accepted, agreement, angular_books, convergence, curves, family, fluxes, halo, input_error, ladder, notes,
-    optics, principal_plane, published, quadrature, radiance, source,
+    accepted, agreement, angular_books, convergence, curves, family, fluxes, halo, input_error, ladder,
+    notes, optics, principal_plane, published, quadrature, radiance, source,
 };
 use crate::CliError;
 use crate::config::{Config, Source};
@@ -239,7 +239,12 @@ fn codegen(
     stratiform_codegen::write(&files, &dir.join("generated")).map_err(input_error)?;
     let emitted = files.names().map(|name| format!("generated/{name}"));
     let halo = inputs.halo.iter().map(|_| accepted::HALO);
-    Ok(accepted::FILES.into_iter().chain(halo).map(|name| format!("accepted/{name}")).chain(emitted).collect())
+    Ok(accepted::FILES
+        .into_iter()
+        .chain(halo)
+        .map(|name| format!("accepted/{name}"))
+        .chain(emitted)
+        .collect())
 }
 
 fn notes(
