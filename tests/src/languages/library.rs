@@ -75,9 +75,9 @@ impl Run<'_> {
     pub fn pasted(&self, text: &str) -> String {
         let includes =
             |line: &&str| self.beside.iter().any(|(name, _)| **line == format!("#include \"{name}\""));
-        let own: Vec<_> = text.lines().filter(|line| !includes(line)).collect();
-        let above: String = self.beside.iter().map(|(_, text)| format!("{text}\n")).collect();
-        above + &own.join("\n") + "\n"
+        let texts = self.beside.iter().map(|(_, text)| text.as_str()).chain([text]);
+        let lines = texts.flat_map(str::lines).filter(|line| !includes(line));
+        lines.map(|line| format!("{line}\n")).collect()
     }
 
     /// Inputs: threads of a shader.
