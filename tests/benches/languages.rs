@@ -1,5 +1,6 @@
-//! What one evaluation costs: `stratiform_beam`, all nine fluxes of one (μ_l, τ), f32, one thread, in C and in Rust; and
-//! the bytes of every target. `cargo bench -p stratiform-tests --bench languages`
+//! What one evaluation costs, f32, one thread, in C and in Rust: `stratiform_beam`, all nine fluxes of one (μ_l, τ);
+//! `stratiform_radiance_top` and `_bottom`, fluxes and phase functions included; `stratiform_halo`. And the bytes of every
+//! target. `cargo bench -p stratiform-tests --bench languages`
 
 #![allow(
     clippy::unwrap_used,
@@ -15,6 +16,14 @@ use stratiform_tests::{accepted_cloud, paper_config};
 
 /// Inputs per repeat: they stay in the first cache.
 const PAIRS: usize = 2048;
+
+/// μ_l, μ_v uniform, v uniform, as for directions of the whole sphere, τ log-uniform from 0.01 to 100.
+fn sights() -> Vec<u8> {
+    let mut random = photon_stream(key(2, Purpose::Calibration), 0);
+    let mut share = || f64::from(random.next_u32()) / f64::from(u32::MAX);
+    let mut sight = || [share(), share(), 2.0 * share(), libm::exp10(4.0 * share() - 2.0)];
+    (0..PAIRS).flat_map(|_| sight()).flat_map(|x| (x as f32).to_le_bytes()).collect()
+}
 
 /// μ_l uniform, τ log-uniform from 0.01 to 100.
 fn input() -> Vec<u8> {
@@ -32,47 +41,73 @@ fn times(printed: &[u8]) -> (f64, f64) {
     (times[times.len() / 2], times[0])
 }
 
-fn measure(
-    compiler: &'static str,
-    options: &[&str],
-    source: (&str, &str),
-    text: (&str, &str),
-) -> Result<(f64, f64), ToolError> {
-    let scratch = Scratch::new()?;
-    scratch.write(source.0, source.1)?;
-    scratch.write(text.0, text.1)?;
-    scratch.run(compiler, &[&[source.0, "-o", "cost"], options].concat())?;
-    Ok(times(&scratch.run_program("cost", &input())?))
+/// A driver and what it is run on.
+struct Cost<'a> {
+    emitted: &'a Emitted,
+    c: &'a str,
+    rust: &'a str,
+    /// Emitted files that it wants, without ending.
+    files: &'a [&'a str],
+    input: Vec<u8>,
+}
+
+impl Cost<'_> {
+    fn measure(
+        &self,
+        ending: &str,
+        compiler: &'static str,
+        options: &[&str],
+    ) -> Result<(f64, f64), ToolError> {
+        let scratch = Scratch::new()?;
+        let source = if ending == "h" { ("cost.c", self.c) } else { ("cost.rs", self.rust) };
+        scratch.write(source.0, source.1)?;
+        for file in self.files {
+            let name = format!("{file}.{ending}");
+            scratch.write(&name, self.emitted.text(&name))?;
+        }
+        scratch.run(compiler, &[&[source.0, "-o", "cost"], options].concat())?;
+        Ok(times(&scratch.run_program("cost", &self.input)?))
+    }
+
+    /// `function`: in C and in Rust, as every processor runs it and as this one does.
+    fn print(&self, function: &str) {
+        println!("\nns per {function:<26} median  least");
+        let (define, cfg) = (format!("-DCOST_FUNCTION={function}"), format!("{function:?}"));
+        let cfg = format!("cost_function={cfg}");
+        let c = |more: &[&str]| self.measure("h", "gcc", &[&["-std=c99", "-O3", &define], more].concat());
+        let rust = ["--edition", "2024", "-C", "opt-level=3", "--cfg", &cfg];
+        let rust = |more: &[&str]| self.measure("rs", "rustc", &[&rust, more].concat());
+        for (name, measured) in [
+            ("C, gcc -O3", c(&["-lm"])),
+            ("C, gcc -O3 -march=native", c(&["-march=native", "-lm"])),
+            ("Rust, opt-level 3", rust(&[])),
+            ("Rust, opt-level 3, native", rust(&["-C", "target-cpu=native"])),
+        ] {
+            if let Some((median, least)) = available(measured, &[]) {
+                println!("{name:<32} {median:>6.1} {least:>6.1}");
+            }
+        }
+    }
 }
 
 fn costs(emitted: &Emitted) {
-    let (c, rust) = (emitted.text("stratiform.h"), emitted.text("stratiform.rs"));
-    let c = |options: &[&str]| {
-        measure(
-            "gcc",
-            &[&["-std=c99"], options].concat(),
-            ("cost.c", include_str!("../src/languages/drivers/fluxes/cost.c")),
-            ("stratiform.h", &c),
-        )
+    let fluxes = Cost {
+        emitted,
+        c: include_str!("../src/languages/drivers/fluxes/cost.c"),
+        rust: include_str!("../src/languages/drivers/fluxes/cost.rs"),
+        files: &["stratiform"],
+        input: input(),
     };
-    let rust = |options: &[&str]| {
-        measure(
-            "rustc",
-            &[&["--edition", "2024", "-C", "opt-level=3"], options].concat(),
-            ("cost.rs", include_str!("../src/languages/drivers/fluxes/cost.rs")),
-            ("stratiform.rs", &rust),
-        )
+    fluxes.print("stratiform_beam");
+    let radiance = Cost {
+        emitted,
+        c: include_str!("../src/languages/drivers/radiance/cost.c"),
+        rust: include_str!("../src/languages/drivers/radiance/cost.rs"),
+        files: &["stratiform", "stratiform_phase", "stratiform_radiance", "stratiform_halo"],
+        input: sights(),
     };
-    println!("ns per stratiform_beam           median  least");
-    for (name, measured) in [
-        ("C, gcc -O3", c(&["-O3", "-lm"])),
-        ("C, gcc -O3 -march=native", c(&["-O3", "-march=native", "-lm"])),
-        ("Rust, opt-level 3", rust(&[])),
-        ("Rust, opt-level 3, native", rust(&["-C", "target-cpu=native"])),
-    ] {
-        if let Some((median, least)) = available(measured, &[]) {
-            println!("{name:<32} {median:>6.1} {least:>6.1}");
-        }
+    for function in ["stratiform_radiance_top", "stratiform_radiance_bottom", "stratiform_halo"] {
+        radiance.print(function);
     }
 }
 

@@ -18,7 +18,8 @@ const SELF_TEST: &str = "// ---- self-test";
 fn floats(line: &str) -> Vec<(usize, &str)> {
     let bytes = line.as_bytes();
     let inside = |i: usize| bytes[i].is_ascii_alphanumeric() || b"._".contains(&bytes[i]);
-    let digit = |i: usize| bytes[i].is_ascii_digit() && (i == 0 || !inside(i - 1));
+    let exponent = |i: usize| i > 1 && &bytes[i - 2..i] == b"e-";
+    let digit = |i: usize| bytes[i].is_ascii_digit() && (i == 0 || !inside(i - 1)) && !exponent(i);
     let end = |start: usize| (start..bytes.len()).find(|&i| bytes[i] == b'f').map(|i| i + 1);
     let starts = (0..bytes.len()).filter(|&i| digit(i));
     let all = starts.filter_map(|start| Some((start, &line[start..end(start)?])));
@@ -83,8 +84,12 @@ fn a_thousandth_of_any_number_of_the_table_is_seen() {
     println!("{} numbers, of which {} are not seen:", lines.len(), unseen.len());
     unseen.iter().for_each(|(line, _)| println!("  {line}"));
     // Ten rows of five and their cosines, the diffuse row, three constants.
+    // Not the cosine below which light counts as grazing.
     let of_table = |line: &str| {
-        ["stratiform_node", "stratiform_diffuse_parameters", "#define"].iter().any(|name| line.contains(name))
+        !line.contains("STRATIFORM_GRAZING")
+            && ["stratiform_node", "stratiform_diffuse_parameters", "#define"]
+                .iter()
+                .any(|name| line.contains(name))
     };
     assert!(lines.iter().filter(|line| of_table(line)).count() >= 10 * 6 + 5 + 3);
     let lost: Vec<_> = unseen.iter().filter(|(line, _)| of_table(line)).collect();

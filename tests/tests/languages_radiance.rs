@@ -1,4 +1,4 @@
-//! The emitted radiance in every language, executed, against the angular model in double precision.
+//! The emitted radiance and halo in every language, executed, against the angular model in double precision.
 
 #![allow(
     clippy::unwrap_used,
@@ -37,7 +37,7 @@ fn radiance() -> &'static Radiance {
 }
 
 /// What the driver should write for a vector, each value with the error that it may have.
-fn expected(vector: &RadianceVector) -> [[f64; 2]; 10] {
+fn expected(vector: &RadianceVector) -> [[f64; 2]; 11] {
     let factor = Emission::ALL[vector.shape as usize].factor(vector.mu_v);
     let flux = OF_FLUX * factor;
     let [top, bottom] = vector.orders();
@@ -58,6 +58,7 @@ fn expected(vector: &RadianceVector) -> [[f64; 2]; 10] {
         [sum(bottom), sum(bottom_bounds)],
         [transparency, RELATIVE * transparency + FAINT],
         [vector.mu_l / PI, RELATIVE * vector.mu_l],
+        [vector.halo, RELATIVE * vector.halo + FAINT],
     ]
 }
 
@@ -65,7 +66,7 @@ fn expected(vector: &RadianceVector) -> [[f64; 2]; 10] {
 fn worst(values: &[f32]) -> f64 {
     let errors = radiance().vectors.iter().enumerate().flat_map(|(k, vector)| {
         expected(vector).into_iter().enumerate().map(move |(i, [exact, bound])| {
-            let value = values.get(10 * k + i).map_or(f64::NAN, |value| f64::from(*value));
+            let value = values.get(11 * k + i).map_or(f64::NAN, |value| f64::from(*value));
             let error = (value - exact).abs() / bound;
             if error.is_nan() { f64::INFINITY } else { error }
         })
@@ -77,12 +78,16 @@ fn reproduces_the_model(ending: &str) {
     let Radiance { emitted, vectors } = radiance();
     let sight = |s: &RadianceVector| [s.mu_l, s.mu_v, s.v, s.tau, f64::from(s.shape)];
     let input: Vec<u8> = vectors.iter().flat_map(sight).flat_map(|x| (x as f32).to_le_bytes()).collect();
-    let (table, beside) = (emitted.phase_table(), emitted.beside(&RADIANCE, ending));
-    let host = !matches!(ending, "h" | "rs");
-    let run = Run { library: &RADIANCE, table: host.then_some(&table), input: &input, beside: &beside };
-    let text = emitted.text(&format!("stratiform_radiance.{ending}"));
-    // A weight of the second order, a thousandth off.
-    let planted = text.replacen("0.125", "0.125125", 1);
+    let (tables, mut beside) =
+        ([emitted.phase_table(), emitted.halo_table()], emitted.beside(&RADIANCE, ending));
+    let tables = tables.each_ref().map(|table| &**table);
+    let tables = if matches!(ending, "h" | "rs") { &[] } else { &tables[..] };
+    let run = Run { library: &RADIANCE, tables, input: &input, beside: &beside };
+    let text = emitted.text(&format!("stratiform_halo.{ending}"));
+    // The step across the halo's table, a thousandth off.
+    let wgsl = emitted.text("stratiform_halo.wgsl");
+    let number = wgsl.split_once("ACROSS: f32 = ").unwrap().1.split(';').next().unwrap();
+    let planted = text.replacen(number, &format!("{}", number.parse::<f32>().unwrap() * 1.001), 1);
     assert_ne!(planted, text);
     for way in ways(ending) {
         let Some(output) = way.execute(&run, &text) else { continue };
@@ -92,6 +97,16 @@ fn reproduces_the_model(ending: &str) {
         assert_eq!(output.wrong, 0, "{}: the embedded self-test", way.name);
         let output = way.execute(&run, &planted).unwrap();
         assert!(worst(&output.values) > 1.0 && output.wrong > 0, "{}: planted", way.name);
+    }
+    // A weight of the second order, a thousandth off, in the first way.
+    for (name, text) in beside.iter_mut().filter(|(name, _)| name.starts_with("stratiform_radiance")) {
+        let changed = text.replacen("0.125", "0.125125", 1);
+        assert_ne!(changed, *text, "{name}");
+        *text = changed;
+    }
+    let run = Run { library: &RADIANCE, tables, input: &input, beside: &beside };
+    for output in ways(ending).take(1).filter_map(|way| way.execute(&run, &text)) {
+        assert!(worst(&output.values) > 1.0 && output.wrong > 0, "{ending}: planted in the radiance");
     }
 }
 
@@ -130,8 +145,8 @@ fn older_glsl_compiles() {
     for (ending, version) in [("330.glsl", "330"), ("300es.glsl", "300 es")] {
         let emitted = &radiance().emitted;
         let beside = emitted.beside(&RADIANCE, ending);
-        let run = Run { library: &RADIANCE, table: None, input: &[], beside: &beside };
-        let text = run.pasted(&emitted.text(&format!("stratiform_radiance.{ending}")));
+        let run = Run { library: &RADIANCE, tables: &[], input: &[], beside: &beside };
+        let text = run.pasted(&emitted.text(&format!("stratiform_halo.{ending}")));
         available(shaders::glsl_fragment(version, &RADIANCE, &text), &[]);
         let broken =
             shaders::glsl_fragment(version, &RADIANCE, &text.replace("exp(-shortest)", "expo(-shortest)"));
@@ -142,12 +157,20 @@ fn older_glsl_compiles() {
 /// As methods of a structure in Metal's language, as functions elsewhere.
 #[test]
 fn every_language_exports_the_same() {
-    let text = |ending: &str| radiance().emitted.text(&format!("stratiform_radiance.{ending}"));
-    let exported = signatures(&text("wgsl"));
-    assert!(exported.len() > 12, "guard against checking nothing");
-    for ending in ["450.glsl", "330.glsl", "300es.glsl", "hlsl", "h", "rs"] {
-        assert_eq!(signatures(&text(ending)), exported, "{ending}");
+    let structure = |line: &&str| {
+        let owner =
+            line.starts_with("struct StratiformRadiance {") || line.starts_with("struct StratiformHalo {");
+        owner || *line == "    StratiformPhase phase;" || *line == "    StratiformRadiance radiance;"
+    };
+    for name in ["stratiform_radiance", "stratiform_halo"] {
+        let text = |ending: &str| radiance().emitted.text(&format!("{name}.{ending}"));
+        let exported = signatures(&text("wgsl"));
+        assert!(exported.len() > 6, "guard against checking nothing");
+        for ending in ["450.glsl", "330.glsl", "300es.glsl", "hlsl", "h", "rs"] {
+            assert_eq!(signatures(&text(ending)), exported, "{name}.{ending}");
+        }
+        let metal = text("metal");
+        let metal: Vec<_> = metal.lines().filter(|line| !structure(line)).collect();
+        assert_eq!(signatures(&metal.join("\n")), exported, "{name}.metal");
     }
-    let metal = text("metal").replacen("struct StratiformRadiance {\n    StratiformPhase phase;\n", "", 1);
-    assert_eq!(signatures(&metal), exported, "metal");
 }

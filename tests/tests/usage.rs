@@ -8,6 +8,9 @@ use stratiform_tests::languages::{Emitted, native};
 
 const USAGE: &str = include_str!("../../crates/codegen/src/usage.md");
 
+/// Every library.
+const FILES: [&str; 4] = ["stratiform", "stratiform_phase", "stratiform_radiance", "stratiform_halo"];
+
 /// The block of a language.
 fn block(language: &str) -> String {
     let (_, rest) = USAGE.split_once(&format!("```{language}\n")).unwrap();
@@ -24,7 +27,7 @@ fn pasted(language: &str, mark: &str) -> String {
 }
 
 /// A folder with the emitted files `names`.
-fn folder(names: &[&str]) -> Result<Scratch, ToolError> {
+fn folder(names: &[String]) -> Result<Scratch, ToolError> {
     let scratch = Scratch::new()?;
     for name in names {
         scratch.write(name, Emitted::committed().text(name))?;
@@ -35,12 +38,13 @@ fn folder(names: &[&str]) -> Result<Scratch, ToolError> {
 fn assert_talks(output: &[u8]) {
     let said = String::from_utf8_lossy(output);
     assert!(said.contains("transmitted 0.") && said.contains("P at 142 degrees: 0.29"), "{said}");
+    assert!(said.contains("L / F0 above 0."), "{said}");
 }
 
 #[test]
 fn c() {
     let run = || {
-        let scratch = folder(&["stratiform.h", "stratiform_phase.h"])?;
+        let scratch = folder(&FILES.map(|name| format!("{name}.h")))?;
         scratch.write("example.c", block("c"))?;
         scratch
             .run("gcc", &["-std=c99", "-Wall", "-Wextra", "-Werror", "example.c", "-o", "example", "-lm"])?;
@@ -52,7 +56,7 @@ fn c() {
 #[test]
 fn rust() {
     let run = || {
-        let scratch = folder(&["stratiform.rs", "stratiform_phase.rs"])?;
+        let scratch = folder(&FILES.map(|name| format!("{name}.rs")))?;
         scratch.write("example.rs", block("rust,ignore"))?;
         scratch.run("rustc", &["--edition", "2024", "-D", "warnings", "example.rs"])?;
         scratch.run_program("example", b"")
@@ -92,7 +96,7 @@ fn hlsl() {
 #[test]
 fn metal() {
     let run = || {
-        let scratch = folder(&["stratiform.metal", "stratiform_phase.metal"])?;
+        let scratch = folder(&FILES.map(|name| format!("{name}.metal")))?;
         scratch.write("metal_stdlib", native::METAL_LIBRARY)?;
         scratch.write("example.metal", block("metal"))?;
         let arguments =

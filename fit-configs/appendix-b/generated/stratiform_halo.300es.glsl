@@ -64,7 +64,7 @@ float stratiform_halo_once(float mu_l, float mu_v, float v, float tau) {
     if (v >= STRATIFORM_WIDE_EDGE) {
         return 0.0;
     }
-    StratiformWeights w = stratiform_weights_through(mu_l, mu_v, tau);
+    StratiformThrough w = stratiform_through(mu_l, mu_v, tau);
     return 0.25 * stratiform_phase(v) * w.once;
 }
 

@@ -328,7 +328,7 @@ static inline float stratiform_halo_once(float mu_l, float mu_v, float v, float 
     if (v >= STRATIFORM_WIDE_EDGE) {
         return 0.0f;
     }
-    StratiformWeights w = stratiform_weights_through(mu_l, mu_v, tau);
+    StratiformThrough w = stratiform_through(mu_l, mu_v, tau);
     return 0.25f * stratiform_phase(v) * w.once;
 }
 

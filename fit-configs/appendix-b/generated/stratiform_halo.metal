@@ -75,7 +75,7 @@ struct StratiformHalo {
         if (v >= STRATIFORM_WIDE_EDGE) {
             return 0.0f;
         }
-        StratiformWeights w = radiance.stratiform_weights_through(mu_l, mu_v, tau);
+        StratiformThrough w = radiance.stratiform_through(mu_l, mu_v, tau);
         return 0.25f * phase.stratiform_phase(v) * w.once;
     }
 

@@ -30,11 +30,26 @@ struct StratiformWeights {
     float twice;
 };
 
+// The same of light that goes through a slab, and exp(-depth / mu_l), the share that comes straight through.
+struct StratiformThrough {
+    float once;
+    float twice;
+    float straight;
+};
+
 // Reflectance factors pi L / (mu_l F0) of light that was scattered once, twice, and more often.
 struct StratiformOrders {
     float one;
     float two;
     float three_plus;
+};
+
+// Where a vector of a self-test looks.
+struct StratiformSight {
+    float mu_l;
+    float mu_v;
+    float v;
+    float tau;
 };
 
 // ---- weights of one and two scatterings ------------------------------------------------------------------------
@@ -50,20 +65,23 @@ StratiformWeights stratiform_weights_top(float mu_l, float mu_v, float tau) {
 }
 
 // Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
-StratiformWeights stratiform_weights_through(float mu_l, float mu_v, float depth) {
+StratiformThrough stratiform_through(float mu_l, float mu_v, float depth) {
     float sun = stratiform_leaning(mu_l);
     float view = stratiform_leaning(mu_v);
     float shortest = depth / (sun > view ? sun : view);
     // Nowhere 0: the mean over equal lengths is the limit of this one.
     float apart = abs(sun - view) + 1e-9 * sun;
     StratiformBrackets b = stratiform_brackets(depth * apart / sun / view);
-    float share = exp(-shortest) / apart;
-    return StratiformWeights(share * b.rise, share * (shortest * b.rise + b.once_each));
+    float decay = exp(-shortest);
+    float share = decay / apart;
+    float straight = (sun > view ? decay : decay * b.decay);
+    return StratiformThrough(share * b.rise, share * (shortest * b.rise + b.once_each), straight);
 }
 
 // Light that leaves the other face.
 StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
-    return stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
+    StratiformThrough w = stratiform_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
+    return StratiformWeights(w.once, w.twice);
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
@@ -94,11 +112,17 @@ StratiformOrders stratiform_orders_top(float mu_l, float mu_v, float v, float ta
 
 // The orders of light that leaves the other face at mu_v, v = 1 - cosTheta.
 StratiformOrders stratiform_orders_bottom(float mu_l, float mu_v, float v, float tau, uint shape) {
-    StratiformWeights w = stratiform_weights_bottom(mu_l, mu_v, tau);
+    float depth = STRATIFORM_KAPPA_S * tau;
+    StratiformThrough w = stratiform_through(mu_l, mu_v, depth);
     StratiformPlace place = stratiform_phase_place(v);
     float wide = stratiform_phase_modified_at(place, v);
     float squared = stratiform_phase_squared_at(place);
-    float flux = stratiform_t_three_plus(mu_l, tau);
+    StratiformTurned f = stratiform_turned(stratiform_parameters(mu_l), tau);
+    float scattered = f.t_ms - w.straight;
+    if (f.r_ms < 0.5) {
+        scattered = stratiform_rise(depth / stratiform_leaning(mu_l)) - f.r_ms;
+    }
+    float flux = scattered - f.t_one - f.t_two;
     return StratiformOrders(
         0.25 * wide * w.once, 0.125 * squared * w.twice, flux * stratiform_emission(shape, mu_v)
     );
@@ -130,14 +154,6 @@ float stratiform_radiance_from_factor(float factor, float mu_l) {
 }
 
 // ---- self-test ---------------------------------------------------------------------------------------------------
-
-// Where vector i looks.
-struct StratiformSight {
-    float mu_l;
-    float mu_v;
-    float v;
-    float tau;
-};
 
 // Vector i; its shape is i % 3.
 StratiformSight stratiform_radiance_test_sight(uint i) {

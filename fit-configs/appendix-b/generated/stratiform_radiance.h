@@ -40,12 +40,27 @@ typedef struct StratiformWeights {
     float twice;
 } StratiformWeights;
 
+// The same of light that goes through a slab, and exp(-depth / mu_l), the share that comes straight through.
+typedef struct StratiformThrough {
+    float once;
+    float twice;
+    float straight;
+} StratiformThrough;
+
 // Reflectance factors pi L / (mu_l F0) of light that was scattered once, twice, and more often.
 typedef struct StratiformOrders {
     float one;
     float two;
     float three_plus;
 } StratiformOrders;
+
+// Where a vector of a self-test looks.
+typedef struct StratiformSight {
+    float mu_l;
+    float mu_v;
+    float v;
+    float tau;
+} StratiformSight;
 
 // ---- weights of one and two scatterings ------------------------------------------------------------------------
 
@@ -61,21 +76,25 @@ static inline StratiformWeights stratiform_weights_top(float mu_l, float mu_v, f
 }
 
 // Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
-static inline StratiformWeights stratiform_weights_through(float mu_l, float mu_v, float depth) {
+static inline StratiformThrough stratiform_through(float mu_l, float mu_v, float depth) {
     float sun = stratiform_leaning(mu_l);
     float view = stratiform_leaning(mu_v);
     float shortest = depth / (sun > view ? sun : view);
     // Nowhere 0: the mean over equal lengths is the limit of this one.
     float apart = fabsf(sun - view) + 1e-9f * sun;
     StratiformBrackets b = stratiform_brackets(depth * apart / sun / view);
-    float share = expf(-shortest) / apart;
-    StratiformWeights result = {share * b.rise, share * (shortest * b.rise + b.once_each)};
+    float decay = expf(-shortest);
+    float share = decay / apart;
+    float straight = (sun > view ? decay : decay * b.decay);
+    StratiformThrough result = {share * b.rise, share * (shortest * b.rise + b.once_each), straight};
     return result;
 }
 
 // Light that leaves the other face.
 static inline StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
-    return stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
+    StratiformThrough w = stratiform_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
+    StratiformWeights result = {w.once, w.twice};
+    return result;
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
@@ -111,11 +130,17 @@ static inline StratiformOrders stratiform_orders_top(
 static inline StratiformOrders stratiform_orders_bottom(
     float mu_l, float mu_v, float v, float tau, uint32_t shape
 ) {
-    StratiformWeights w = stratiform_weights_bottom(mu_l, mu_v, tau);
+    float depth = STRATIFORM_KAPPA_S * tau;
+    StratiformThrough w = stratiform_through(mu_l, mu_v, depth);
     StratiformPlace place = stratiform_phase_place(v);
     float wide = stratiform_phase_modified_at(place, v);
     float squared = stratiform_phase_squared_at(place);
-    float flux = stratiform_t_three_plus(mu_l, tau);
+    StratiformTurned f = stratiform_turned(stratiform_parameters(mu_l), tau);
+    float scattered = f.t_ms - w.straight;
+    if (f.r_ms < 0.5f) {
+        scattered = stratiform_rise(depth / stratiform_leaning(mu_l)) - f.r_ms;
+    }
+    float flux = scattered - f.t_one - f.t_two;
     StratiformOrders result = {
         0.25f * wide * w.once, 0.125f * squared * w.twice, flux * stratiform_emission(shape, mu_v)
     };
@@ -148,14 +173,6 @@ static inline float stratiform_radiance_from_factor(float factor, float mu_l) {
 }
 
 // ---- self-test ---------------------------------------------------------------------------------------------------
-
-// Where vector i looks.
-typedef struct StratiformSight {
-    float mu_l;
-    float mu_v;
-    float v;
-    float tau;
-} StratiformSight;
 
 // Vector i; its shape is i % 3.
 static inline StratiformSight stratiform_radiance_test_sight(uint32_t i) {

@@ -39,11 +39,26 @@ struct StratiformWeights {
     float twice;
 };
 
+// The same of light that goes through a slab, and exp(-depth / mu_l), the share that comes straight through.
+struct StratiformThrough {
+    float once;
+    float twice;
+    float straight;
+};
+
 // Reflectance factors pi L / (mu_l F0) of light that was scattered once, twice, and more often.
 struct StratiformOrders {
     float one;
     float two;
     float three_plus;
+};
+
+// Where a vector of a self-test looks.
+struct StratiformSight {
+    float mu_l;
+    float mu_v;
+    float v;
+    float tau;
 };
 
 // ---- weights of one and two scatterings ------------------------------------------------------------------------
@@ -63,21 +78,25 @@ struct StratiformRadiance {
     }
 
     // Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
-    StratiformWeights stratiform_weights_through(float mu_l, float mu_v, float depth) const {
+    StratiformThrough stratiform_through(float mu_l, float mu_v, float depth) const {
         float sun = stratiform_leaning(mu_l);
         float view = stratiform_leaning(mu_v);
         float shortest = depth / (sun > view ? sun : view);
         // Nowhere 0: the mean over equal lengths is the limit of this one.
         float apart = abs(sun - view) + 1e-9f * sun;
         StratiformBrackets b = stratiform_brackets(depth * apart / sun / view);
-        float share = exp(-shortest) / apart;
-        StratiformWeights result = {share * b.rise, share * (shortest * b.rise + b.once_each)};
+        float decay = exp(-shortest);
+        float share = decay / apart;
+        float straight = (sun > view ? decay : decay * b.decay);
+        StratiformThrough result = {share * b.rise, share * (shortest * b.rise + b.once_each), straight};
         return result;
     }
 
     // Light that leaves the other face.
     StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) const {
-        return stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
+        StratiformThrough w = stratiform_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
+        StratiformWeights result = {w.once, w.twice};
+        return result;
     }
 
     // ---- orders ----------------------------------------------------------------------------------------------------
@@ -109,11 +128,17 @@ struct StratiformRadiance {
 
     // The orders of light that leaves the other face at mu_v, v = 1 - cosTheta.
     StratiformOrders stratiform_orders_bottom(float mu_l, float mu_v, float v, float tau, uint shape) const {
-        StratiformWeights w = stratiform_weights_bottom(mu_l, mu_v, tau);
+        float depth = STRATIFORM_KAPPA_S * tau;
+        StratiformThrough w = stratiform_through(mu_l, mu_v, depth);
         StratiformPlace place = phase.stratiform_phase_place(v);
         float wide = phase.stratiform_phase_modified_at(place, v);
         float squared = phase.stratiform_phase_squared_at(place);
-        float flux = stratiform_t_three_plus(mu_l, tau);
+        StratiformTurned f = stratiform_turned(stratiform_parameters(mu_l), tau);
+        float scattered = f.t_ms - w.straight;
+        if (f.r_ms < 0.5f) {
+            scattered = stratiform_rise(depth / stratiform_leaning(mu_l)) - f.r_ms;
+        }
+        float flux = scattered - f.t_one - f.t_two;
         StratiformOrders result = {
             0.25f * wide * w.once, 0.125f * squared * w.twice, flux * stratiform_emission(shape, mu_v)
         };
@@ -146,14 +171,6 @@ struct StratiformRadiance {
     }
 
     // ---- self-test ---------------------------------------------------------------------------------------------------
-
-    // Where vector i looks.
-    struct StratiformSight {
-        float mu_l;
-        float mu_v;
-        float v;
-        float tau;
-    };
 
     // Vector i; its shape is i % 3.
     StratiformSight stratiform_radiance_test_sight(uint i) const {

@@ -36,12 +36,29 @@ pub struct StratiformWeights {
     pub twice: f32,
 }
 
+/// The same of light that goes through a slab, and exp(-depth / mu_l), the share that comes straight through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StratiformThrough {
+    pub once: f32,
+    pub twice: f32,
+    pub straight: f32,
+}
+
 /// Reflectance factors pi L / (mu_l F0) of light that was scattered once, twice, and more often.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StratiformOrders {
     pub one: f32,
     pub two: f32,
     pub three_plus: f32,
+}
+
+/// Where a vector of a self-test looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StratiformSight {
+    pub mu_l: f32,
+    pub mu_v: f32,
+    pub v: f32,
+    pub tau: f32,
 }
 
 // ---- weights of one and two scatterings ------------------------------------------------------------------------
@@ -57,20 +74,23 @@ pub fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeigh
 }
 
 /// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
-pub fn stratiform_weights_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformWeights {
+pub fn stratiform_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformThrough {
     let sun: f32 = stratiform_leaning(mu_l);
     let view: f32 = stratiform_leaning(mu_v);
     let shortest: f32 = depth / (if sun > view { sun } else { view });
     // Nowhere 0: the mean over equal lengths is the limit of this one.
     let apart: f32 = (sun - view).abs() + 1e-9 * sun;
     let b: StratiformBrackets = stratiform_brackets(depth * apart / sun / view);
-    let share: f32 = (-shortest).exp() / apart;
-    StratiformWeights { once: share * b.rise, twice: share * (shortest * b.rise + b.once_each) }
+    let decay: f32 = (-shortest).exp();
+    let share: f32 = decay / apart;
+    let straight: f32 = if sun > view { decay } else { decay * b.decay };
+    StratiformThrough { once: share * b.rise, twice: share * (shortest * b.rise + b.once_each), straight }
 }
 
 /// Light that leaves the other face.
 pub fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
-    stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau)
+    let w: StratiformThrough = stratiform_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
+    StratiformWeights { once: w.once, twice: w.twice }
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
@@ -102,11 +122,17 @@ pub fn stratiform_orders_top(mu_l: f32, mu_v: f32, v: f32, tau: f32, shape: u32)
 
 /// The orders of light that leaves the other face at mu_v, v = 1 - cosTheta.
 pub fn stratiform_orders_bottom(mu_l: f32, mu_v: f32, v: f32, tau: f32, shape: u32) -> StratiformOrders {
-    let w: StratiformWeights = stratiform_weights_bottom(mu_l, mu_v, tau);
+    let depth: f32 = STRATIFORM_KAPPA_S * tau;
+    let w: StratiformThrough = stratiform_through(mu_l, mu_v, depth);
     let place: StratiformPlace = stratiform_phase_place(v);
     let wide: f32 = stratiform_phase_modified_at(place, v);
     let squared: f32 = stratiform_phase_squared_at(place);
-    let flux: f32 = stratiform_t_three_plus(mu_l, tau);
+    let f: StratiformTurned = stratiform_turned(stratiform_parameters(mu_l), tau);
+    let mut scattered: f32 = f.t_ms - w.straight;
+    if f.r_ms < 0.5 {
+        scattered = stratiform_rise(depth / stratiform_leaning(mu_l)) - f.r_ms;
+    }
+    let flux: f32 = scattered - f.t_one - f.t_two;
     StratiformOrders {
         one: 0.25 * wide * w.once, two: 0.125 * squared * w.twice,
         three_plus: flux * stratiform_emission(shape, mu_v)
@@ -139,15 +165,6 @@ pub fn stratiform_radiance_from_factor(factor: f32, mu_l: f32) -> f32 {
 }
 
 // ---- self-test ---------------------------------------------------------------------------------------------------
-
-/// Where vector i looks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StratiformSight {
-    pub mu_l: f32,
-    pub mu_v: f32,
-    pub v: f32,
-    pub tau: f32,
-}
 
 /// Vector i; its shape is i % 3.
 pub fn stratiform_radiance_test_sight(i: u32) -> StratiformSight {

@@ -44,26 +44,26 @@ pub static PHASE: Library = Library {
     needs: &[],
 };
 
-/// Radiance: (mu_l, mu_v, v, tau, shape) to I1, I2, I3+ at the lit face and at the other, both sums, transparency, and
-/// L/F0 of factor 1.
+/// Radiance and halo: (mu_l, mu_v, v, tau, shape) to I1, I2, I3+ at the lit face and at the other, both sums, transparency, and
+/// L/F0 of factor 1, and the halo.
 pub static RADIANCE: Library = Library {
-    name: "stratiform_radiance",
+    name: "stratiform_halo",
     c: include_str!("drivers/radiance/driver.c"),
     rust: include_str!("drivers/radiance/driver.rs"),
     glsl: include_str!("drivers/radiance/driver.glsl"),
     fragment: include_str!("drivers/radiance/fragment.glsl"),
     hlsl: include_str!("drivers/radiance/driver.hlsl"),
     wgsl: include_str!("drivers/radiance/driver.wgsl"),
-    sizes: [5, 10],
-    needs: &["stratiform", "stratiform_phase"],
+    sizes: [5, 11],
+    needs: &["stratiform", "stratiform_phase", "stratiform_radiance"],
 };
 
 /// A library and what its driver is run on.
 pub struct Run<'a> {
     /// Which.
     pub library: &'a Library,
-    /// The table that a library takes from its host; C and Rust carry theirs.
-    pub table: Option<&'a [u8]>,
+    /// The tables that a library takes from its host; C and Rust carry theirs.
+    pub tables: &'a [&'a [u8]],
     /// The driver's input.
     pub input: &'a [u8],
     /// Names and texts of the files that the library needs.
@@ -75,9 +75,9 @@ impl Run<'_> {
     pub fn pasted(&self, text: &str) -> String {
         let includes =
             |line: &&str| self.beside.iter().any(|(name, _)| **line == format!("#include \"{name}\""));
-        let own: Vec<_> = text.lines().filter(|line| !includes(line)).collect();
-        let above: String = self.beside.iter().map(|(_, text)| format!("{text}\n")).collect();
-        above + &own.join("\n") + "\n"
+        let texts = self.beside.iter().map(|(_, text)| text.as_str()).chain([text]);
+        let lines = texts.flat_map(str::lines).filter(|line| !includes(line));
+        lines.map(|line| format!("{line}\n")).collect()
     }
 
     /// Inputs: threads of a shader.

@@ -20,7 +20,7 @@ use library::Library;
 use std::fs;
 use std::path::PathBuf;
 use stratiform_artifact::read_csv;
-use stratiform_codegen::{RadianceVector, SelfTest};
+use stratiform_codegen::{HaloTable, RadianceVector, SelfTest};
 use stratiform_quantities::Incidence;
 
 /// A folder of emitted files.
@@ -91,6 +91,17 @@ impl Emitted {
         };
         let values = column(2).chain(column(3)).map(|value: Option<f64>| value.unwrap_or(f64::NAN));
         values.flat_map(|value| (value as f32).to_le_bytes()).collect()
+    }
+
+    /// The halo's table, likewise.
+    ///
+    /// # Panics
+    /// If it cannot be read: a test then fails.
+    #[expect(clippy::cast_possible_truncation, reason = "a shader's table is in single precision")]
+    #[expect(clippy::expect_used, reason = "for tests only")]
+    pub fn halo_table(&self) -> Vec<u8> {
+        let halo: HaloTable = serde_json::from_str(&self.text("halo.json")).expect("the halo's table");
+        halo.values.iter().flat_map(|value| (*value as f32).to_le_bytes()).collect()
     }
 
     /// Sights, and what the f64 model gives for them.

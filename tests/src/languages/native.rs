@@ -70,6 +70,6 @@ pub fn metal(run: &Run, text: &str) -> Result<Output, ToolError> {
         }
         error => error,
     })?;
-    let input = [run.table.unwrap_or_default(), run.input].concat();
+    let input = [run.tables, &[run.input]].concat().concat();
     Ok(Output::read(&scratch.run_program("driver", &input)?))
 }

@@ -97,7 +97,7 @@ fn groups(run: &Run) -> [u32; 3] {
 }
 
 fn bindings<'a>(run: &'a Run) -> Vec<&'a [u8]> {
-    run.table.into_iter().chain([run.input]).collect()
+    run.tables.iter().copied().chain([run.input]).collect()
 }
 
 /// Runs a driver's validated module on the device.

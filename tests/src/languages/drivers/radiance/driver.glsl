@@ -1,11 +1,11 @@
 layout(local_size_x = 64) in;
-layout(std430, binding = 1) readonly buffer TestInput { float test_input[]; };
-layout(std430, binding = 2) writeonly buffer TestOutput { float test_output[]; };
+layout(std430, binding = 2) readonly buffer TestInput { float test_input[]; };
+layout(std430, binding = 3) writeonly buffer TestOutput { float test_output[]; };
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i == 0u) {
-        test_output[0] = float(stratiform_radiance_self_test());
+        test_output[0] = float(stratiform_radiance_self_test() + stratiform_halo_self_test());
     }
     if (5u * i >= uint(test_input.length())) {
         return;
@@ -17,7 +17,7 @@ void main() {
     uint shape = uint(test_input[5u * i + 4u]);
     StratiformOrders top = stratiform_orders_top(mu_l, mu_v, v, tau, shape);
     StratiformOrders bottom = stratiform_orders_bottom(mu_l, mu_v, v, tau, shape);
-    uint o = 10u * i + 1u;
+    uint o = 11u * i + 1u;
     test_output[o] = top.one;
     test_output[o + 1u] = top.two;
     test_output[o + 2u] = top.three_plus;
@@ -28,4 +28,5 @@ void main() {
     test_output[o + 7u] = stratiform_radiance_bottom(mu_l, mu_v, v, tau, shape);
     test_output[o + 8u] = stratiform_transparency(mu_v, tau);
     test_output[o + 9u] = stratiform_radiance_from_factor(1.0, mu_l);
+    test_output[o + 10u] = stratiform_halo(mu_l, mu_v, v, tau);
 }

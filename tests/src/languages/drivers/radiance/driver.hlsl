@@ -1,5 +1,5 @@
-[[vk::binding(1, 0)]] StructuredBuffer<float> test_input : register(t1);
-[[vk::binding(2, 0)]] RWStructuredBuffer<float> test_output : register(u2);
+[[vk::binding(2, 0)]] StructuredBuffer<float> test_input : register(t2);
+[[vk::binding(3, 0)]] RWStructuredBuffer<float> test_output : register(u3);
 
 [numthreads(64, 1, 1)]
 void main(uint3 id : SV_DispatchThreadID) {
@@ -7,7 +7,7 @@ void main(uint3 id : SV_DispatchThreadID) {
     uint count, stride;
     test_input.GetDimensions(count, stride);
     if (i == 0u) {
-        test_output[0] = float(stratiform_radiance_self_test());
+        test_output[0] = float(stratiform_radiance_self_test() + stratiform_halo_self_test());
     }
     if (5u * i >= count) {
         return;
@@ -19,7 +19,7 @@ void main(uint3 id : SV_DispatchThreadID) {
     uint shape = uint(test_input[5u * i + 4u]);
     StratiformOrders top = stratiform_orders_top(mu_l, mu_v, v, tau, shape);
     StratiformOrders bottom = stratiform_orders_bottom(mu_l, mu_v, v, tau, shape);
-    uint o = 10u * i + 1u;
+    uint o = 11u * i + 1u;
     test_output[o] = top.one;
     test_output[o + 1u] = top.two;
     test_output[o + 2u] = top.three_plus;
@@ -30,4 +30,5 @@ void main(uint3 id : SV_DispatchThreadID) {
     test_output[o + 7u] = stratiform_radiance_bottom(mu_l, mu_v, v, tau, shape);
     test_output[o + 8u] = stratiform_transparency(mu_v, tau);
     test_output[o + 9u] = stratiform_radiance_from_factor(1.0, mu_l);
+    test_output[o + 10u] = stratiform_halo(mu_l, mu_v, v, tau);
 }

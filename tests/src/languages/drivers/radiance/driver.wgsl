@@ -1,11 +1,11 @@
-@group(0) @binding(1) var<storage, read> test_input: array<f32>;
-@group(0) @binding(2) var<storage, read_write> test_output: array<f32>;
+@group(0) @binding(2) var<storage, read> test_input: array<f32>;
+@group(0) @binding(3) var<storage, read_write> test_output: array<f32>;
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let i = id.x;
     if (i == 0u) {
-        test_output[0] = f32(stratiform_radiance_self_test());
+        test_output[0] = f32(stratiform_radiance_self_test() + stratiform_halo_self_test());
     }
     if (5u * i >= arrayLength(&test_input)) {
         return;
@@ -17,7 +17,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     let shape = u32(test_input[5u * i + 4u]);
     let top = stratiform_orders_top(mu_l, mu_v, v, tau, shape);
     let bottom = stratiform_orders_bottom(mu_l, mu_v, v, tau, shape);
-    let o = 10u * i + 1u;
+    let o = 11u * i + 1u;
     test_output[o] = top.one;
     test_output[o + 1u] = top.two;
     test_output[o + 2u] = top.three_plus;
@@ -28,4 +28,5 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     test_output[o + 7u] = stratiform_radiance_bottom(mu_l, mu_v, v, tau, shape);
     test_output[o + 8u] = stratiform_transparency(mu_v, tau);
     test_output[o + 9u] = stratiform_radiance_from_factor(1.0, mu_l);
+    test_output[o + 10u] = stratiform_halo(mu_l, mu_v, v, tau);
 }

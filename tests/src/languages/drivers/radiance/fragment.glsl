@@ -5,5 +5,6 @@ void main() {
     float top = stratiform_radiance_top(test_input.x, test_input.y, test_input.z, test_input.w, STRATIFORM_LAMBERTIAN);
     float bottom = stratiform_radiance_bottom(test_input.x, test_input.y, test_input.z, test_input.w, STRATIFORM_ESCAPE);
     float transparency = stratiform_transparency(test_input.y, test_input.w);
-    test_output = vec4(stratiform_radiance_from_factor(top, test_input.x), bottom, transparency, float(stratiform_radiance_self_test()));
+    bottom += stratiform_halo(test_input.x, test_input.y, test_input.z, test_input.w);
+    test_output = vec4(stratiform_radiance_from_factor(top, test_input.x), bottom, transparency, float(stratiform_radiance_self_test() + stratiform_halo_self_test()));
 }
