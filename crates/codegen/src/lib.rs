@@ -44,6 +44,7 @@ pub use files::Files;
 pub use inputs::{Inputs, PhaseRow, PhaseTables, QUANTITIES, ReferencePoint};
 pub use language::{SubsetError, Target};
 pub use node_error::leave_one_out;
+pub use phase::COUNT as PHASE_TEXELS;
 pub use radiance_test::RadianceVector;
 pub use self_test::{SelfTest, SelfTestVector, self_test_module};
 pub use stale::{REGENERATE, Stale, check, left_over, write};
@@ -60,7 +61,7 @@ pub fn generate(inputs: &Inputs, targets: &[Target]) -> Result<Files, CodegenErr
     files.extend(tables.map(|(name, text)| (name, text.into_bytes())));
     files.push(("self_test.json".to_owned(), self_test::document(inputs)?.into_bytes()));
     files.push(("radiance_test.csv".to_owned(), radiance_test::document(inputs)?.into_bytes()));
-    let (fluxes, phase) = (shader::library(inputs)?, phase_library::library(inputs));
+    let (fluxes, phase) = (shader::library(inputs)?, phase_library::library(inputs, &[]));
     let radiance = radiance_library::library(inputs, &fluxes, &phase)?;
     let libraries = [&fluxes, &phase, &radiance];
     for (library, target) in libraries.iter().flat_map(|library| targets.iter().map(move |t| (library, *t))) {

@@ -12,7 +12,8 @@ use stratiform_quantities::angle_map::place;
 const TESTED_DEG: [f64; 8] = [0.0, 0.3, 2.0, 20.0, 90.0, 142.0, 178.0, 180.0];
 
 /// The library, which carries the table where the language has no trouble with long constant arrays.
-pub(crate) fn library(inputs: &Inputs) -> Library<'static> {
+/// `more` are rows below the two of the cloud itself, each of [`COUNT`] values.
+pub(crate) fn library(inputs: &Inputs, more: &[Vec<f64>]) -> Library<'static> {
     let (p, squared): (Vec<_>, Vec<_>) = warped(inputs).iter().map(|row| (row.p, row.p_squared)).unzip();
     let medium = &inputs.parameters.medium;
     let tested = |value: &dyn Fn(f64) -> f64| {
@@ -28,7 +29,8 @@ pub(crate) fn library(inputs: &Inputs) -> Library<'static> {
         ("TEST_SQUARED", tested(&|theta_deg| looked_up(&squared, theta_deg))),
     ];
     let code = fill(include_str!("wgsl/phase.wgsl"), &places);
-    let table: Vec<_> = p.iter().chain(&squared).map(|value| literal(*value)).collect();
+    let table: Vec<_> =
+        p.iter().chain(&squared).chain(more.iter().flatten()).map(|value| literal(*value)).collect();
     let wavelength_um = medium.wavelength_um;
     let text = Box::new(move |target| access(target, &table, wavelength_um));
     let glue = Some(Glue { function: "stratiform_phase_texel", text });
@@ -116,17 +118,20 @@ fn access(target: Target, table: &[String], wavelength_um: f64) -> String {
                 + &function("float stratiform_phase_texel(uint row, uint index) const", &indexed)
         }
         Target::C => {
-            format!("static const float stratiform_phase_table[{}] = {{\n{}}};\n\n", 2 * COUNT, numbers("f"))
-                + &function(
-                    "static inline float stratiform_phase_texel(uint32_t row, uint32_t index)",
-                    &indexed,
-                )
+            format!(
+                "static const float stratiform_phase_table[{}] = {{\n{}}};\n\n",
+                table.len(),
+                numbers("f")
+            ) + &function(
+                "static inline float stratiform_phase_texel(uint32_t row, uint32_t index)",
+                &indexed,
+            )
         }
         Target::Rust => {
             let value = format!("STRATIFORM_PHASE_TABLE[(row * {COUNT} + index) as usize]");
             format!(
                 "/// P of the full medium, then P_S convolved with itself.\npub static STRATIFORM_PHASE_TABLE: [f32; {}] = [\n{}];\n\n",
-                2 * COUNT,
+                table.len(),
                 numbers("")
             ) + &format!(
                 "/{read}pub fn stratiform_phase_texel(row: u32, index: u32) -> f32 {{\n    {value}\n}}\n\n"
