@@ -47,7 +47,7 @@ pub fn generate_family(
     let fluxes = shader::library(inputs)?;
     let over_radius = library::library(inputs, family, &fluxes)?;
     let phase = crate::phase_library::library(inputs, &phase_library::rows(family)?);
-    let phase_over_radius = phase_library::library(inputs, family, [&fluxes, &over_radius, &phase])?;
+    let phase_over_radius = phase_library::library(inputs, family, &phase)?;
     let mut files = vec![
         ("family_test.csv".to_owned(), to_csv(&vectors::vectors(family)?)?),
         ("family_phase.csv".to_owned(), to_csv(&phase_rows(family))?),

@@ -1,5 +1,5 @@
-//! The library that looks the phase functions up over (Θ, r_e). It stands below those of fluxes over radius and of phase
-//! functions, whose table has the family's rows below its own two: P of every radius, then P_S convolved with itself.
+//! The library that looks the phase functions up over (Θ, r_e). It stands below the library of phase
+//! functions of one cloud, whose table has the family's rows below its own two: P of every radius, then P_S convolved with itself.
 
 use crate::language::Library;
 use crate::phase::COUNT;
@@ -45,7 +45,7 @@ pub(super) fn rows(family: &FamilyDocument) -> Result<Vec<Vec<f64>>, CodegenErro
 pub(super) fn library<'a>(
     inputs: &Inputs,
     family: &FamilyDocument,
-    needs: [&'a Library<'a>; 3],
+    phase: &'a Library<'a>,
 ) -> Result<Library<'a>, CodegenError> {
     Ok(Library {
         head: head(inputs),
@@ -53,11 +53,11 @@ pub(super) fn library<'a>(
         code: fill(include_str!("../wgsl/family_phase.wgsl"), &places(family)?),
         owner: Some("StratiformFamilyPhase"),
         glue: None,
-        needs: needs.to_vec(),
+        needs: vec![phase],
     })
 }
 
-fn places(family: &FamilyDocument) -> Result<[(&'static str, String); 4], CodegenError> {
+fn places(family: &FamilyDocument) -> Result<[(&'static str, String); 6], CodegenError> {
     let forward = |one: &FamilyMember| one.parameters.medium.forward_fraction;
     let twin = Twin::new(family)?;
     let radii: Vec<f64> = family.members.iter().map(|one| one.effective_radius_um).collect();
@@ -73,6 +73,8 @@ fn places(family: &FamilyDocument) -> Result<[(&'static str, String); 4], Codege
     }
     Ok([
         ("SQUARED_ROW", (2 + family.members.len()).to_string()),
+        ("TABLES", family.members.len().to_string()),
+        ("RADII", cases(&radii.iter().map(|radius| literal(*radius)).collect::<Vec<_>>())),
         ("FORWARD", cases(&family.members.iter().map(|one| literal(forward(one))).collect::<Vec<_>>())),
         ("TEST_COUNT", vectors.len().to_string()),
         ("TEST_VECTORS", cases(&vectors)),

@@ -4,6 +4,21 @@
 const STRATIFORM_FAMILY_PHASE_ROW: u32 = 2u;
 const STRATIFORM_FAMILY_SQUARED_ROW: u32 = @SQUARED_ROW@u;
 
+const STRATIFORM_FAMILY_PHASE_TABLES: u32 = @TABLES@u;
+
+// Between which radii an effective radius lies: the first one, and the weight of the next.
+struct StratiformFamilyRadii {
+    table: u32,
+    weight: f32,
+}
+
+// Effective radius j, um.
+fn stratiform_family_phase_radius_um(j: u32) -> f32 {
+    switch j {
+@RADII@
+    }
+}
+
 // P_f of radius j.
 fn stratiform_family_forward_node(j: u32) -> f32 {
     switch j {
@@ -12,16 +27,19 @@ fn stratiform_family_forward_node(j: u32) -> f32 {
 }
 
 // Between which radii radius_um lies, linear in its logarithm.
-fn stratiform_family_phase_place(radius_um: f32) -> StratiformFamilyPlace {
-    let table = stratiform_family_place(radius_um).table;
-    let first = log(stratiform_family_radius_um(table));
-    let next = log(stratiform_family_radius_um(table + 1u));
-    return StratiformFamilyPlace(table, (log(radius_um) - first) / (next - first));
+fn stratiform_family_phase_radii(radius_um: f32) -> StratiformFamilyRadii {
+    var table = 0u;
+    for (var j = 1u; j < STRATIFORM_FAMILY_PHASE_TABLES - 1u; j += 1u) {
+        table += select(0u, 1u, radius_um > stratiform_family_phase_radius_um(j));
+    }
+    let first = log(stratiform_family_phase_radius_um(table));
+    let next = log(stratiform_family_phase_radius_um(table + 1u));
+    return StratiformFamilyRadii(table, (log(radius_um) - first) / (next - first));
 }
 
 // Rows from `row` on at v and at radius_um.
 fn stratiform_family_phase_row(row: u32, v: f32, radius_um: f32) -> f32 {
-    let radii = stratiform_family_phase_place(radius_um);
+    let radii = stratiform_family_phase_radii(radius_um);
     let place = stratiform_phase_place(v);
     let p = stratiform_phase_row(row + radii.table, place);
     let q = stratiform_phase_row(row + radii.table + 1u, place);
@@ -30,7 +48,7 @@ fn stratiform_family_phase_row(row: u32, v: f32, radius_um: f32) -> f32 {
 
 // P_f at radius_um.
 fn stratiform_family_forward_fraction(radius_um: f32) -> f32 {
-    let radii = stratiform_family_phase_place(radius_um);
+    let radii = stratiform_family_phase_radii(radius_um);
     let p = stratiform_family_forward_node(radii.table);
     return p + (stratiform_family_forward_node(radii.table + 1u) - p) * radii.weight;
 }
