@@ -22,6 +22,9 @@ fn small(source: Source) -> Config {
     convergence.plain_photons = vec![100, 300];
     convergence.half_space_photons = vec![100, 300];
     convergence.most_radii = 256;
+    let plane = config.principal_plane.as_mut().unwrap();
+    (plane.full_photons, plane.view_photons) = (5_000, 100);
+    plane.scenes.truncate(1);
     config.transport.tolerance = 1e-4;
     config.optics.wavelengths_um = vec![0.55];
     config.optics.tolerance.asymmetry = 2e-3;
@@ -110,6 +113,7 @@ fn leaves_every_file_once_and_the_same_bytes_twice(source: Source) -> (Config, t
         "agreement.csv",
         "agreement.json",
         "convergence.csv",
+        "figures/principal-plane.csv",
         "generated/stratiform.wgsl",
         "manifest.json",
         "notes.json",

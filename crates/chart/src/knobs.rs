@@ -1,11 +1,9 @@
 //! The curves of one method as its knob turns.
 
 use crate::cost::Effort;
-use crate::{ChartError, Quantity, Sample, Tested, assess};
+use crate::{ChartError, Quantity, Sample, Watch, assess};
 use stratiform_artifact::KnobRow;
-use stratiform_methods::{Card, Cloud, Method, MethodError, Ready};
-use stratiform_optics::phase::{Norm, PhaseTable};
-use stratiform_quantities::{Range, angle_map};
+use stratiform_methods::Method;
 
 /// A knob of a method.
 pub struct Knob {
@@ -22,18 +20,23 @@ pub struct KnobSetting {
     /// Number of it.
     pub setting: f64,
     /// The method so set.
-    pub method: Box<dyn Tested>,
+    pub method: Box<dyn Method>,
 }
 
 /// Errors and cost of every setting in one scene.
 ///
 /// # Errors
-/// [`ChartError`] if a cost cannot be measured.
-pub fn knobs(sample: &Sample, knobs: &[Knob], effort: Effort) -> Result<Vec<KnobRow>, ChartError> {
+/// [`ChartError`] if a cost cannot be measured, or [`ChartError::Cancelled`].
+pub fn knobs(
+    sample: &Sample,
+    knobs: &[Knob],
+    effort: Effort,
+    watch: Watch<'_>,
+) -> Result<Vec<KnobRow>, ChartError> {
     let mut rows = Vec::new();
     for knob in knobs {
         for KnobSetting { setting, method } in &knob.settings {
-            for found in assess(method.as_ref(), sample, effort)? {
+            for found in watch.over(|| assess(method.as_ref(), sample, effort))? {
                 rows.push(KnobRow {
                     scene: sample.name.clone(),
                     method: knob.method.clone(),
@@ -52,35 +55,4 @@ pub fn knobs(sample: &Sample, knobs: &[Knob], effort: Effort) -> Result<Vec<Knob
         }
     }
     Ok(rows)
-}
-
-/// `method` with its phase function read from `texels` of the angle map that emitted phase textures use.
-///
-/// # Errors
-/// [`ChartError::Domain`] for less than 8 texels.
-pub fn coarse_phase(method: Box<dyn Method>, texels: usize) -> Result<Box<dyn Tested>, ChartError> {
-    Range::closed(8.0, 65_536.0).check("phase table texels", texels as f64)?;
-    Ok(Box::new(Coarse { method, texels }))
-}
-
-struct Coarse {
-    method: Box<dyn Method>,
-    texels: usize,
-}
-
-impl Tested for Coarse {
-    fn card(&self) -> &Card {
-        self.method.card()
-    }
-
-    fn prepare(&self, cloud: &Cloud) -> Result<Box<dyn Ready>, MethodError> {
-        let failed = |reason: String| MethodError::Failed { method: self.card().name.clone(), reason };
-        let last = (self.texels - 1) as f64;
-        let mut angles: Vec<f64> = (0..self.texels).map(|i| angle_map::angle_deg(i as f64 / last)).collect();
-        angles[self.texels - 1] = 180.0;
-        let values = angles.iter().map(|theta| cloud.phase().at(theta.to_radians())).collect();
-        let phase = PhaseTable::new(angles, values, Norm::Any).map_err(|error| failed(error.to_string()))?;
-        let coarse = Cloud::new(phase, cloud.omega(), cloud.theta_f_deg(), cloud.r_eff_um())?;
-        self.method.prepare(&coarse)
-    }
 }

@@ -17,11 +17,13 @@ mod rows;
 mod sample;
 mod statistics;
 pub mod truth;
+mod watch;
 
-pub use assess::{Assessment, Tested, assess};
+pub use assess::{Assessment, assess};
 pub use error::ChartError;
-pub use knobs::{Knob, KnobSetting, coarse_phase, knobs};
+pub use knobs::{Knob, KnobSetting, knobs};
 pub use quantity::Quantity;
 pub use rows::{chart, document};
 pub use sample::{CloudSample, Sample, Source};
 pub use statistics::Statistics;
+pub use watch::Watch;

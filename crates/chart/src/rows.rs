@@ -3,20 +3,25 @@
 use crate::cost::Effort;
 use crate::front::front;
 use crate::truth::SHARE;
-use crate::{Assessment, ChartError, CloudSample, Sample, Tested, assess};
+use crate::{Assessment, ChartError, CloudSample, Sample, Watch, assess};
 use stratiform_artifact::{
     ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, Provenance, hash_of,
 };
-use stratiform_methods::{Card, Class};
+use stratiform_methods::{Card, Class, Method};
 
 /// Every method against one scene, the front marked.
 ///
 /// # Errors
-/// [`ChartError`] if a cost cannot be measured.
-pub fn chart(sample: &Sample, methods: &[&dyn Tested], effort: Effort) -> Result<Vec<ChartRow>, ChartError> {
+/// [`ChartError`] if a cost cannot be measured, or [`ChartError::Cancelled`].
+pub fn chart(
+    sample: &Sample,
+    methods: &[Box<dyn Method>],
+    effort: Effort,
+    watch: Watch<'_>,
+) -> Result<Vec<ChartRow>, ChartError> {
     let mut rows = Vec::new();
     for method in methods {
-        let found = assess(*method, sample, effort)?;
+        let found = watch.over(|| assess(method.as_ref(), sample, effort))?;
         rows.extend(found.into_iter().map(|one| row(&sample.name, method.card(), one)));
     }
     mark(&mut rows);
@@ -70,7 +75,7 @@ const METHOD: &str = "relative error against discrete ordinates on the full medi
                       shader code";
 
 /// What the chart was made of.
-pub fn document(samples: &[Sample], methods: &[&dyn Tested], quick: bool) -> ChartDocument {
+pub fn document(samples: &[Sample], methods: &[Box<dyn Method>], quick: bool) -> ChartDocument {
     let scenes: Vec<ChartScene> = samples.iter().map(scene).collect();
     let methods: Vec<ChartMethod> = methods.iter().map(|method| described(method.card())).collect();
     let hash = hash_of(&("stratiform/chart", quick, SHARE, &scenes, &methods));

@@ -1,11 +1,10 @@
 //! A scene turned into points with their truth.
 
-use crate::ChartError;
 use crate::clouds::{SceneCloud, clouds};
 use crate::grid::{Density, Grid};
 use crate::truth::Truth;
+use crate::{ChartError, Watch};
 use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
 use stratiform_methods::Cloud;
 use stratiform_scene::Scene;
 
@@ -40,10 +39,8 @@ pub struct Source<'a> {
     pub quick: bool,
     /// Where optics and truth are kept between runs.
     pub cache: Option<&'a Path>,
-    /// Is called after each cloud.
-    pub progress: &'a dyn Fn(),
-    /// Set to true to stop.
-    pub cancel: &'a AtomicBool,
+    /// Progress, one step for each cloud, and the way to stop.
+    pub watch: Watch<'a>,
 }
 
 impl Sample {
@@ -54,18 +51,22 @@ impl Sample {
     pub fn of_scene(name: &str, scene: &Scene, source: &Source<'_>) -> Result<Self, ChartError> {
         let mut samples = Vec::new();
         for (place, one) in clouds(scene, source.quick, source.cache)?.into_iter().enumerate() {
-            if source.cancel.load(Ordering::Relaxed) {
-                return Err(ChartError::Cancelled);
-            }
             let density = match (source.quick, place) {
                 (true, _) => Density::QUICK,
                 (false, 0) => Density::FULL,
                 (false, _) => Density::THIN,
             };
-            samples.push(CloudSample::new(scene, one, density, source.cache)?);
-            (source.progress)();
+            let new = || CloudSample::new(scene, one, density, source.cache);
+            samples.push(source.watch.over(new)?);
         }
         Ok(Self { name: name.to_owned(), scene: scene.clone(), clouds: samples })
+    }
+
+    /// The same without its other clouds.
+    #[must_use]
+    pub fn main_only(mut self) -> Self {
+        self.clouds.truncate(1);
+        self
     }
 }
 

@@ -8,14 +8,12 @@ use stratiform_artifact::ChartRow;
 use stratiform_chart::cost::Effort;
 use stratiform_chart::grid::{Density, Grid};
 use stratiform_chart::truth::Truth;
-use stratiform_chart::{
-    CloudSample, Knob, KnobSetting, Sample, Tested, assess, chart, coarse_phase, document, knobs,
-};
+use stratiform_chart::{CloudSample, Knob, KnobSetting, Sample, Watch, assess, chart, document, knobs};
 use stratiform_methods::{
     Card, Class, Cloud, Domain, FluxPair, FluxPoint, Method, MethodError, Point, Ready, Single,
 };
 use stratiform_model::angular::Sight;
-use stratiform_optics::phase::{HenyeyGreenstein, Norm, PhaseFunction, PhaseTable};
+use stratiform_optics::phase::{HenyeyGreenstein, Norm, PhaseFunction, PhaseTable, versine};
 use stratiform_quantities::{Asymmetry, Range, Side, SingleScatteringAlbedo};
 use stratiform_scene::{Interval, named};
 use stratiform_stats::Estimate;
@@ -26,7 +24,7 @@ const EFFORT: Effort = Effort { repeat: Duration::from_micros(20), repeats: 3 };
 fn cloud() -> Cloud {
     let phase = HenyeyGreenstein::new(Asymmetry::new(0.7).unwrap());
     let theta: Vec<f64> = (0..=720).map(|i| f64::from(i) * 0.25).collect();
-    let values = theta.iter().map(|t| phase.value(t.to_radians())).collect();
+    let values = theta.iter().map(|t| phase.value(versine(t.to_radians()))).collect();
     let table = PhaseTable::new(theta, values, Norm::Strict).unwrap();
     Cloud::new(table, SingleScatteringAlbedo::CONSERVATIVE, 5.0, None).unwrap()
 }
@@ -128,8 +126,7 @@ fn boxed(fake: Fake) -> Box<dyn Method> {
 
 fn rows(sample: &Sample, fakes: Vec<Fake>) -> Vec<ChartRow> {
     let methods: Vec<Box<dyn Method>> = fakes.into_iter().map(boxed).collect();
-    let tested: Vec<&dyn Tested> = methods.iter().map(|method| method as &dyn Tested).collect();
-    chart(sample, &tested, EFFORT).unwrap()
+    chart(sample, &methods, EFFORT, Watch { progress: &|| (), cancel: &AtomicBool::new(false) }).unwrap()
 }
 
 #[test]
@@ -144,7 +141,6 @@ fn a_planted_error_is_what_the_chart_says() {
             "{row:?}"
         );
         assert!(row.ns_per_evaluation.unwrap() > 0.0 && row.cost == "f32" && row.refused == 0);
-        assert!(row.method != "low" || !row.pareto || row.ns_per_evaluation < rows[4].ns_per_evaluation);
     }
     assert_eq!(rows[4].knob.as_deref(), Some("3"));
     let fluxes = rows.iter().find(|row| row.quantity == "reflectance").unwrap();
@@ -178,11 +174,13 @@ fn solvers_are_timed_in_batches_at_the_ends_of_the_ranges() {
     sample.clouds[0].truth = Truth::solve(&sample.clouds[0].cloud, &grid).unwrap();
     sample.clouds[0].grid = grid;
     let solver = Fake { shader: false, ..fake("solver", &sample, 0.1) };
-    let found = assess(&boxed(solver), &sample, EFFORT).unwrap();
+    let found = assess(boxed(solver).as_ref(), &sample, EFFORT).unwrap();
     assert!(found.iter().all(|one| !one.single && one.ns.unwrap() > 0.0));
-    let all = assess(&boxed(fake("shader", &sample, 0.1)), &sample, EFFORT).unwrap();
+    let all = assess(boxed(fake("shader", &sample, 0.1)).as_ref(), &sample, EFFORT).unwrap();
     let asked = |of: &stratiform_chart::Assessment| of.points + of.excluded;
-    assert!(found.iter().zip(&all).all(|(few, all)| 3 * asked(few) == 2 * asked(all)));
+    let counts: Vec<_> = found.iter().zip(&all).map(|(few, all)| (asked(few), asked(all))).collect();
+    // Two of three suns; of eight views the first, fourth and seventh.
+    assert_eq!(counts, [(8, 24), (4, 24), (4, 6), (4, 6)]);
 }
 
 #[test]
@@ -213,7 +211,7 @@ fn the_truth_conserves_energy_and_knows_its_radiances() {
 fn the_manifest_names_everything_and_holds_no_time() {
     let sample = sample();
     let method = boxed(fake("one", &sample, 0.0));
-    let document = document(&[sample], &[&method], true);
+    let document = document(&[sample], &[method], true);
     assert_eq!(
         (document.methods[0].class.as_str(), document.scenes[0].clouds[0].tau.len()),
         ("heuristic", 2)
@@ -222,63 +220,17 @@ fn the_manifest_names_everything_and_holds_no_time() {
     assert!(!text.contains("_ns") && !text.contains("seconds"));
 }
 
-/// Gives P at 30° as the radiance.
-struct Peek(Card);
-
-struct Peeked(f64);
-
-impl Method for Peek {
-    fn card(&self) -> &Card {
-        &self.0
-    }
-
-    fn prepare(&self, cloud: &Cloud) -> Result<Box<dyn Ready>, MethodError> {
-        Ok(Box::new(Peeked(cloud.phase().at(30_f64.to_radians()))))
-    }
-}
-
-impl Ready for Peeked {
-    fn radiances(&self, points: &[Point]) -> Result<Vec<Estimate>, MethodError> {
-        Ok(points.iter().map(|_| Estimate { value: self.0, std_error: 0.0 }).collect())
-    }
-
-    fn fluxes(&self, _: &[FluxPoint]) -> Result<Vec<FluxPair>, MethodError> {
-        Err(MethodError::NotGiven { method: "peek".to_owned(), quantity: "flux" })
-    }
-}
-
-#[test]
-fn a_coarse_phase_table_is_coarse_and_a_fine_one_is_right() {
-    let sample = sample();
-    let at = |texels: usize| {
-        let card = Card { flux: false, ..fake("peek", &sample, 0.0).card };
-        let coarse = coarse_phase(Box::new(Peek(card)), texels).unwrap();
-        let point = Point { tau: 1.0, mu_l: 1.0, mu_v: 1.0, phi_deg: 0.0, side: Side::Top };
-        coarse.prepare(&sample.clouds[0].cloud).unwrap().radiances(&[point]).unwrap()[0].value
-    };
-    let exact = sample.clouds[0].cloud.phase().at(30_f64.to_radians());
-    assert!(
-        (at(1024) / exact - 1.0).abs() < 1e-3 && (at(16) / exact - 1.0).abs() > 5e-3,
-        "{} {} {exact}",
-        at(1024),
-        at(16)
-    );
-    assert!(coarse_phase(Box::new(Peek(fake("peek", &sample, 0.0).card)), 2).is_err());
-}
-
 #[test]
 fn a_knob_that_turns_towards_the_truth_shows_it() {
     let sample = sample();
-    let setting = |setting: f64| KnobSetting {
-        setting,
-        method: Box::new(boxed(fake("fake", &sample, 1.0 / setting))) as Box<dyn Tested>,
-    };
+    let setting = |setting: f64| KnobSetting { setting, method: boxed(fake("fake", &sample, 1.0 / setting)) };
     let knob = Knob {
         method: "fake".to_owned(),
         knob: "orders".to_owned(),
         settings: [1.0, 4.0].map(setting).into(),
     };
-    let rows = knobs(&sample, &[knob], EFFORT).unwrap();
+    let rows =
+        knobs(&sample, &[knob], EFFORT, Watch { progress: &|| (), cancel: &AtomicBool::new(false) }).unwrap();
     let top: Vec<_> = rows.iter().filter(|row| row.quantity == "radiance_top").collect();
     assert!((top[0].median.unwrap() - 1.0).abs() < 1e-12 && (top[1].median.unwrap() - 0.25).abs() < 1e-12);
     let named = named("thin-veil").unwrap();
@@ -287,12 +239,8 @@ fn a_knob_that_turns_towards_the_truth_shows_it() {
 
 #[test]
 fn a_cancelled_sample_says_so() {
-    let source = stratiform_chart::Source {
-        quick: true,
-        cache: None,
-        progress: &|| (),
-        cancel: &AtomicBool::new(true),
-    };
+    let watch = Watch { progress: &|| (), cancel: &AtomicBool::new(true) };
+    let source = stratiform_chart::Source { quick: true, cache: None, watch };
     // The optics come first; a single size keeps them short.
     let mut scene = named("thin-veil").unwrap();
     scene.droplets.effective_radius_um = Interval { min: 0.2, max: 0.2 };

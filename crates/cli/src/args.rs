@@ -1,5 +1,6 @@
 //! The command line exactly as typed. Turning it into checked objects is the commands' work.
 
+mod chart;
 mod check;
 mod export;
 mod nearest;
@@ -11,6 +12,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 pub use crate::solve_args::SolveArgs;
+pub use chart::ChartArgs;
 pub use check::CheckArgs;
 pub use export::{ExportArgs, Format};
 pub use nearest::NearestArgs;
@@ -67,6 +69,8 @@ pub enum Command {
     Nearest(NearestArgs),
     /// Every stage, then the report: from droplets to shader tables.
     Reproduce(StageArgs),
+    /// Error against cost of every way to shade a cloud layer, over scenes.
+    Chart(ChartArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

@@ -42,6 +42,7 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
         Command::PhaseCheck(args) => commands::phase_check::run(args, talk),
         Command::Nearest(args) => commands::nearest::run(args),
         Command::Reproduce(args) => commands::stages::reproduce(args, talk),
+        Command::Chart(args) => commands::chart::run(args, talk),
         Command::Report(args) => commands::report::run(args, talk),
         Command::Completions(args) => commands::shell::completions(args),
         Command::Man(args) => commands::shell::man(args),

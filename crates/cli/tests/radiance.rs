@@ -1,4 +1,4 @@
-//! `stratiform solve --view-mu` as other people's scripts call it.
+//! `stratiform solve --view-mu` and `stratiform trace --view-mu` as other people's scripts call it.
 
 #![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
@@ -87,5 +87,67 @@ fn bad_input_is_exit_2() {
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{mu0}: {message}");
         assert!(output.stdout.is_empty() && message.contains(named), "{mu0}: {message}");
+    }
+}
+
+const PHOTONS: [&str; 9] =
+    ["trace", "--phase", "isotropic", "--tau", "2", "--mu0", "0.6", "--photons", "20000"];
+
+fn traced<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    PHOTONS.iter().chain(more).copied().collect()
+}
+
+/// The document of `solve`, with N orders and the tail. Values within five standard errors of it: seed fixed.
+#[test]
+fn photons_print_the_document_of_the_solver() {
+    let dir = tempfile::tempdir().unwrap();
+    let views = ["--view-mu", "0.5,1", "--phi", "90", "--json"];
+    let document = |args: &[&str]| -> Value { serde_json::from_str(&stdout(dir.path(), args)).unwrap() };
+    let one = document(&traced(&[&views[..], &["--orders", "3"]].concat()));
+    assert_eq!(one["schema"], "stratiform/radiance/1");
+    assert_eq!(one["provenance"]["seed"], 1);
+    let rows = one["results"].as_array().unwrap();
+    assert_eq!(rows.len(), 2 * 2 * 5);
+    let sun = ["solve", "--phase", "isotropic", "--tau", "2", "--mu0", "0.6"];
+    let other = document(&[&sun[..], &views[..]].concat());
+    for solved in other["results"].as_array().unwrap() {
+        let same =
+            |row: &&Value| ["mu", "side", "order", "tau", "mu0"].iter().all(|key| row[key] == solved[key]);
+        let row = rows.iter().find(same).unwrap();
+        let number = |row: &Value, key: &str| row[key].as_f64().unwrap();
+        let error = number(row, "std_error") + number(solved, "std_error");
+        assert!((number(row, "value") - number(solved, "value")).abs() < 5.0 * error, "{row} {solved}");
+        assert_eq!(row["settled"], true, "{row}");
+    }
+}
+
+#[test]
+fn photons_in_csv_do_not_depend_on_threads() {
+    let dir = tempfile::tempdir().unwrap();
+    let csv = |threads: &str| {
+        stdout(dir.path(), &traced(&["--view-mu", "0.3", "--modified", "10", "--threads", threads]))
+    };
+    let one = csv("1");
+    assert_eq!(one.lines().next(), Some("tau,mu0,mu,phi_deg,side,order,value,std_error,settled"));
+    assert_eq!(one.lines().count(), 1 + 2 * 4);
+    assert_eq!(one, csv("2"));
+}
+
+#[test]
+fn photons_refuse_nonsense() {
+    let dir = tempfile::tempdir().unwrap();
+    for (more, says) in [
+        (&["--view-mu", "0"][..], "view mu = 0 is outside (0, 1]"),
+        (&["--view-mu", "1.5"], "view mu = 1.5"),
+        (&["--view-mu", "0.5", "--phi", "500"], "phi (degrees) = 500"),
+        (&["--view-mu", "0.5", "--estimator", "half-space"], "--estimator half-space"),
+        (&["--view-mu", "0.5", "--std-error", "0.1"], "--std-error"),
+        (&["--phi", "0"], "--view-mu"),
+        (&["--view-mu", "0.5", "--orders", "100000"], "more than 16384 cells"),
+    ] {
+        let output = run(dir.path(), &traced(more));
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{more:?}: {message}");
+        assert!(output.stdout.is_empty() && message.contains(says), "{more:?}: {message}");
     }
 }

@@ -66,7 +66,7 @@ pub enum CodegenError {
     /// A phase table that cannot be used.
     #[error("phase table `{table}`: {message}")]
     Phase {
-        /// `full`, `modified` or `squared`.
+        /// `full`, `modified`, `squared` or `halo`.
         table: &'static str,
         /// What is wrong.
         message: String,

@@ -29,6 +29,37 @@ pub struct PhaseTables {
     pub squared: Vec<PhaseRow>,
 }
 
+/// The shape of light that met two or more forward events, over s = sin(Θ/2) and the optical path q of the full medium, both
+/// evenly spaced from 0; mean 1 over the sphere.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HaloTable {
+    /// Last s.
+    pub reach: f64,
+    /// Last q.
+    pub longest: f64,
+    /// Number of s.
+    pub angles: usize,
+    /// Row by row of q.
+    pub values: Vec<f64>,
+}
+
+impl HaloTable {
+    fn check(&self) -> Result<(), CodegenError> {
+        Range { min_included: false, ..Range::closed(0.0, 1.0) }.check("halo reach", self.reach)?;
+        EXTINCTION.check("halo longest", self.longest)?;
+        Range::at_least(2.0).check("halo angles", self.angles as f64)?;
+        Range::at_least(2.0).check("halo paths", self.values.len() as f64 / self.angles as f64)?;
+        self.values.iter().try_for_each(|value| PHASE.check("halo", *value).map(drop))?;
+        match self.values.len() % self.angles {
+            0 => Ok(()),
+            rest => {
+                Err(CodegenError::Phase { table: "halo", message: format!("its last row has {rest} values") })
+            }
+        }
+    }
+}
+
 /// A flux that something else than the model computed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReferencePoint {
@@ -58,6 +89,8 @@ pub struct Inputs {
     pub parameters: ParametersDocument,
     /// The phase functions of the medium.
     pub phase: PhaseTables,
+    /// Shape of the halo of forward events; none where the medium has no forward peak.
+    pub halo: Option<HaloTable>,
     /// Fluxes for the error card: at the table's angles, between them, and diffuse, in any order. May be empty.
     pub reference: Vec<ReferencePoint>,
 }
@@ -89,6 +122,7 @@ impl Inputs {
         {
             check_phase(rows).map_err(|message| CodegenError::Phase { table, message })?;
         }
+        self.halo.as_ref().map_or(Ok(()), HaloTable::check)?;
         for point in &self.reference {
             Range::at_least(0.0).check("std_error", point.std_error)?;
         }

@@ -9,6 +9,7 @@
 //! | `stratiform.*` | the one-dimensional model over (μ_l, optical thickness), with its table and self-test, a [`Target`] each |
 //! | `stratiform_phase.*` | look-up of the phase functions, likewise |
 //! | `stratiform_radiance.*` | the angular model of radiance, on top of both, likewise |
+//! | `stratiform_halo.*`, `halo.json` | light that met forward events only, on top of all three, with its table |
 //! | `stratiform_self_test.{wgsl,spv}` | compute entry point that evaluates the model over a buffer |
 //! | `self_test.json` | inputs for it and the f64 model's outputs |
 //! | `radiance_test.csv` | inputs for the radiance library and the f64 model's outputs |
@@ -22,6 +23,7 @@ mod error;
 mod error_card;
 mod family;
 mod files;
+mod halo_library;
 mod inputs;
 pub mod language;
 mod node_error;
@@ -33,6 +35,7 @@ mod self_test;
 mod shader;
 mod spirv;
 mod stale;
+mod table_access;
 mod tables;
 mod text;
 pub mod usage;
@@ -41,7 +44,7 @@ pub use error::CodegenError;
 pub use error_card::{ErrorCard, error_card};
 pub use family::{FAMILY_COORDINATE, FamilyVector, family_member, generate_family, parameter_family};
 pub use files::Files;
-pub use inputs::{Inputs, PhaseRow, PhaseTables, QUANTITIES, ReferencePoint};
+pub use inputs::{HaloTable, Inputs, PhaseRow, PhaseTables, QUANTITIES, ReferencePoint};
 pub use language::{SubsetError, Target};
 pub use node_error::leave_one_out;
 pub use phase::COUNT as PHASE_TEXELS;
@@ -60,10 +63,15 @@ pub fn generate(inputs: &Inputs, targets: &[Target]) -> Result<Files, CodegenErr
     let tables = tables::files(inputs)?.into_iter().chain(phase::files(inputs)?);
     files.extend(tables.map(|(name, text)| (name, text.into_bytes())));
     files.push(("self_test.json".to_owned(), self_test::document(inputs)?.into_bytes()));
+    if let Some(halo) = &inputs.halo {
+        files.push(("halo.json".to_owned(), stratiform_artifact::to_json(halo)?.into_bytes()));
+    }
     files.push(("radiance_test.csv".to_owned(), radiance_test::document(inputs)?.into_bytes()));
     let (fluxes, phase) = (shader::library(inputs)?, phase_library::library(inputs, &[]));
     let radiance = radiance_library::library(inputs, &fluxes, &phase)?;
-    let libraries = [&fluxes, &phase, &radiance];
+    let needs = vec![&fluxes, &phase, &radiance];
+    let halo = inputs.halo.as_ref().map(|table| halo_library::library(inputs, table, needs)).transpose()?;
+    let libraries: Vec<_> = [&fluxes, &phase, &radiance].into_iter().chain(&halo).collect();
     for (library, target) in libraries.iter().flat_map(|library| targets.iter().map(move |t| (library, *t))) {
         if let (Some(text), Some(extension)) = (language::translate(library, target)?, target.extension()) {
             files.push((format!("{}.{extension}", library.name), text.into_bytes()));

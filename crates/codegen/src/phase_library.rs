@@ -4,8 +4,9 @@ use crate::error_card::spread;
 use crate::language::{Glue, Library};
 use crate::phase::{COUNT, warped};
 use crate::shader::{cases, medium_line};
+use crate::table_access::Table;
 use crate::text::{banner, fill, literal};
-use crate::{Inputs, PhaseRow, Target};
+use crate::{Inputs, PhaseRow};
 use stratiform_quantities::angle_map::place;
 
 /// Angles of the embedded self-test, degrees: peak, sides, fogbow, glory.
@@ -29,10 +30,20 @@ pub(crate) fn library(inputs: &Inputs, more: &[Vec<f64>]) -> Library<'static> {
         ("TEST_SQUARED", tested(&|theta_deg| looked_up(&squared, theta_deg))),
     ];
     let code = fill(include_str!("wgsl/phase.wgsl"), &places);
-    let table: Vec<_> =
-        p.iter().chain(&squared).chain(more.iter().flatten()).map(|value| literal(*value)).collect();
-    let wavelength_um = medium.wavelength_um;
-    let text = Box::new(move |target| access(target, &table, wavelength_um));
+    let table = Table {
+        prefix: "stratiform_phase",
+        owner: "StratiformPhase phase = {buffer}; phase.stratiform_phase(v).",
+        content: "P of the full medium, then P_S convolved with itself",
+        texture: format!(
+            "Its channel r holds P and P_S * P_S of {} um in the\n// first two rows, as that wavelength's channel of \
+             `stratiform export --texels {COUNT}` does.",
+            medium.wavelength_um
+        ),
+        binding: 0,
+        columns: COUNT,
+        values: p.iter().chain(&squared).chain(more.iter().flatten()).map(|value| literal(*value)).collect(),
+    };
+    let text = Box::new(move |target| table.access(target));
     let glue = Some(Glue { function: "stratiform_phase_texel", text });
     let (head, owner) = (head(inputs, &p, &squared), Some("StratiformPhase"));
     Library { head, name: "stratiform_phase", code, owner, glue, needs: Vec::new() }
@@ -77,66 +88,4 @@ fn resampling(name: &str, rows: &[PhaseRow], grid: &[f64]) -> String {
             card.median, card.percentile_95, card.worst
         )
     })
-}
-
-/// The table and the function that reads it: the only text that is written per language.
-fn access(target: Target, table: &[String], wavelength_um: f64) -> String {
-    let numbers = |suffix: &str| {
-        let lines = table
-            .chunks(8)
-            .map(|line| line.iter().map(|number| format!("{number}{suffix},")).collect::<Vec<_>>().join(" "));
-        lines.map(|line| format!("    {line}\n")).collect::<String>()
-    };
-    let bound = "// The host binds the table here; change the binding to suit.\n";
-    let read = "// Value `index` of row `row` of the table.\n";
-    let indexed = format!("stratiform_phase_table[row * {COUNT}u + index]");
-    let function = |head: &str, value: &str| format!("{read}{head} {{\n    return {value};\n}}\n\n");
-    match target {
-        Target::Wgsl => {
-            format!("{bound}@group(0) @binding(0) var<storage, read> stratiform_phase_table: array<f32>;\n\n")
-                + &function("fn stratiform_phase_texel(row: u32, index: u32) -> f32", &indexed)
-        }
-        Target::Glsl450 => {
-            format!(
-                "{bound}layout(std430, binding = 0) readonly buffer StratiformPhaseTable {{\n    float stratiform_phase_table[];\n}};\n\n"
-            ) + &function("float stratiform_phase_texel(uint row, uint index)", &indexed)
-        }
-        Target::Glsl330 | Target::Glsl300Es => {
-            let value = "texelFetch(stratiform_phase_table, ivec2(int(index), int(row)), 0).r";
-            format!(
-                "// The host binds the table here: a float texture {COUNT} wide. Its channel r holds P and P_S * P_S of {wavelength_um} um in the\n// first two rows, as that wavelength's channel of `stratiform export --texels {COUNT}` does.\nuniform highp sampler2D stratiform_phase_table;\n\n"
-            ) + &function("float stratiform_phase_texel(uint row, uint index)", value)
-        }
-        Target::Hlsl => {
-            format!("{bound}StructuredBuffer<float> stratiform_phase_table : register(t0);\n\n")
-                + &function("float stratiform_phase_texel(uint row, uint index)", &indexed)
-        }
-        Target::Msl => {
-            "// The table: StratiformPhase phase = {buffer}; phase.stratiform_phase(v).\n\
-             const device float* stratiform_phase_table;\n\n"
-                .to_owned()
-                + &function("float stratiform_phase_texel(uint row, uint index) const", &indexed)
-        }
-        Target::C => {
-            format!(
-                "static const float stratiform_phase_table[{}] = {{\n{}}};\n\n",
-                table.len(),
-                numbers("f")
-            ) + &function(
-                "static inline float stratiform_phase_texel(uint32_t row, uint32_t index)",
-                &indexed,
-            )
-        }
-        Target::Rust => {
-            let value = format!("STRATIFORM_PHASE_TABLE[(row * {COUNT} + index) as usize]");
-            format!(
-                "/// P of the full medium, then P_S convolved with itself.\npub static STRATIFORM_PHASE_TABLE: [f32; {}] = [\n{}];\n\n",
-                table.len(),
-                numbers("")
-            ) + &format!(
-                "/{read}pub fn stratiform_phase_texel(row: u32, index: u32) -> f32 {{\n    {value}\n}}\n\n"
-            )
-        }
-        Target::Spirv => String::new(),
-    }
 }

@@ -3,9 +3,10 @@
 use crate::phase::warped;
 use crate::phase_library::{looked_up, versine};
 use crate::self_test::single;
-use crate::{CodegenError, Inputs, parameter_grid};
+use crate::{CodegenError, HaloTable, Inputs, parameter_grid};
 use serde::{Deserialize, Serialize};
 use stratiform_artifact::to_csv;
+use stratiform_model::angular::halo::{Halo, Peak};
 use stratiform_model::angular::{Angular, Emission, PhaseLookup, Sight};
 use stratiform_model::table::ParameterGrid;
 use stratiform_model::{Form, Thickness};
@@ -46,6 +47,8 @@ pub struct RadianceVector {
     pub bottom_two: f64,
     /// I3+ there.
     pub bottom_three_plus: f64,
+    /// The halo there: light that met forward events only. 0 without its table.
+    pub halo: f64,
 }
 
 impl RadianceVector {
@@ -90,6 +93,7 @@ pub(crate) struct Twin {
     grid: ParameterGrid<f64>,
     kappa_s: f64,
     tables: Tables,
+    halo: Option<HaloTable>,
 }
 
 impl Twin {
@@ -101,6 +105,7 @@ impl Twin {
             grid: parameter_grid(&inputs.parameters.optical)?,
             kappa_s: inputs.parameters.optical.kappa_s,
             tables: Tables { p, squared, forward_fraction, edge },
+            halo: inputs.halo.clone(),
         })
     }
 
@@ -126,8 +131,33 @@ impl Twin {
             bottom_one: bottom.one,
             bottom_two: bottom.two,
             bottom_three_plus: bottom.three_plus,
+            halo: self.halo.as_ref().map_or(Ok(0.0), |halo| self.halo_at(halo, [mu_l, mu_v, v, tau]))?,
         })
     }
+}
+
+impl Twin {
+    fn halo_at(&self, table: &HaloTable, [mu_l, mu_v, v, tau]: [f64; 4]) -> Result<f64, CodegenError> {
+        let slab = Angular::new(tau, Sight { mu_l, mu_v, v, side: Side::Bottom })?;
+        let peak = Peak { forward_fraction: self.tables.forward_fraction, edge: self.tables.edge };
+        Ok(Halo::new(&slab, tau, peak).total(&self.tables, &|v, q| shape(table, v, q)))
+    }
+}
+
+/// The table at v and q: 0 beyond its last column, the last row beyond its last row.
+fn shape(table: &HaloTable, v: f64, q: f64) -> f64 {
+    let (columns, rows) = (table.angles, table.values.len() / table.angles);
+    let across = (0.5 * v).sqrt() / table.reach * (columns - 1) as f64;
+    if across >= (columns - 1) as f64 {
+        return 0.0;
+    }
+    let along = (q / table.longest).min(1.0) * (rows - 1) as f64;
+    let (column, row) = (across as usize, (along as usize).min(rows - 2));
+    let at = |row: usize| {
+        let pair = &table.values[row * columns + column..];
+        pair[0] + (pair[1] - pair[0]) * (across - column as f64)
+    };
+    at(row) + (at(row + 1) - at(row)) * (along - row as f64)
 }
 
 /// radiance_test.csv: every pair of cosines at every thickness, with angles and shapes in turn.

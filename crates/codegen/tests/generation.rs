@@ -91,7 +91,7 @@ fn text_of_the_documents_stays_in_comments() {
     let files = generate(&inputs, &Target::ALL).unwrap();
     let text = |name: &&str| Target::ALL.iter().filter_map(|t| t.extension()).any(|e| name.ends_with(e));
     let names: Vec<_> = files.names().filter(|name| name.starts_with("stratiform")).filter(text).collect();
-    assert_eq!(names.len(), 17);
+    assert_eq!(names.len(), 33);
     for name in names {
         let text = files.text(name).unwrap();
         assert!(text.is_ascii() && !text.contains("\\\n") && !text.contains("??/"), "{name}");

@@ -23,6 +23,10 @@ fn every_module_is_valid_by_itself() {
     for name in ["stratiform.wgsl", "stratiform_phase.wgsl"] {
         validate(name, files.text(name).unwrap());
     }
+    let text = |name: &str| files.text(name).unwrap();
+    let names =
+        ["stratiform.wgsl", "stratiform_phase.wgsl", "stratiform_radiance.wgsl", "stratiform_halo.wgsl"];
+    validate("radiance", &names.map(text).join("\n"));
     validate("self-test", &stratiform_codegen::self_test_module(&files).unwrap());
 }
 

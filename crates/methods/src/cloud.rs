@@ -1,7 +1,7 @@
 //! The droplets a method is prepared for.
 
 use crate::MethodError;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use stratiform_optics::phase::{Modified, PhaseFunction, PhaseTable};
 use stratiform_quantities::SingleScatteringAlbedo;
 
@@ -10,6 +10,8 @@ use stratiform_quantities::SingleScatteringAlbedo;
 pub struct Cloud {
     phase: Arc<PhaseTable>,
     modified: Arc<Modified>,
+    /// P_S * P_S, once asked for.
+    squared: Arc<OnceLock<Result<Arc<PhaseTable>, MethodError>>>,
     omega: SingleScatteringAlbedo,
     theta_f_deg: f64,
     r_eff_um: Option<f64>,
@@ -28,7 +30,7 @@ impl Cloud {
     ) -> Result<Self, MethodError> {
         let phase = Arc::new(phase);
         let modified = Arc::new(Modified::new(phase.clone(), theta_f_deg)?);
-        Ok(Self { phase, modified, omega, theta_f_deg, r_eff_um })
+        Ok(Self { phase, modified, squared: Arc::default(), omega, theta_f_deg, r_eff_um })
     }
 
     /// P of the full medium.
@@ -39,6 +41,15 @@ impl Cloud {
     /// P_S.
     pub fn modified(&self) -> &Arc<Modified> {
         &self.modified
+    }
+
+    /// P_S convolved with itself on the sphere; worked out once.
+    ///
+    /// # Errors
+    /// [`MethodError::Phase`] if P_S has no square.
+    pub fn squared(&self) -> Result<Arc<PhaseTable>, MethodError> {
+        let square = || Ok(Arc::new(self.phase.modified(self.theta_f_deg)?.squared()?));
+        self.squared.get_or_init(square).clone()
     }
 
     /// ω of the full medium.

@@ -35,13 +35,8 @@ impl Exact {
     /// # Errors
     /// [`MethodError::Phase`] if P_S has no square.
     pub fn twice(cloud: &Cloud) -> Result<Self, MethodError> {
-        Ok(Self { squared: Some(squared(cloud)?), ..Self::once(cloud) })
+        Ok(Self { squared: Some(cloud.squared()?), ..Self::once(cloud) })
     }
-}
-
-/// P_S convolved with itself.
-fn squared(cloud: &Cloud) -> Result<Arc<PhaseTable>, MethodError> {
-    Ok(Arc::new(cloud.phase().modified(cloud.theta_f_deg())?.squared()?))
 }
 
 impl PhaseLookup<f64> for Exact {
@@ -95,7 +90,7 @@ impl<F: Scalar> Texels<F> {
     /// # Errors
     /// As [`once`](Self::once), and as [`Exact::twice`].
     pub fn twice(cloud: &Cloud, count: usize) -> Result<Self, MethodError> {
-        Ok(Self { squared: texels(&*squared(cloud)?, count)?, ..Self::once(cloud, count)? })
+        Ok(Self { squared: texels(&*cloud.squared()?, count)?, ..Self::once(cloud, count)? })
     }
 }
 

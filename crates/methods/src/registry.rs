@@ -7,7 +7,7 @@ use crate::rivals::bouthors::{self, Reading, Table};
 use crate::rivals::monte_carlo::{self, Geometry};
 use crate::rivals::two_stream::{self, Closure};
 use crate::rivals::{
-    asymptotic, beer_powder, multiple_forward, octaves, single_scattering, solver, successive,
+    asymptotic, beer_powder, better, multiple_forward, octaves, single_scattering, solver, successive,
 };
 use crate::{Method, MethodError};
 use stratiform_model::angular::Emission;
@@ -48,12 +48,16 @@ fn turned<M: Method + 'static>(
     Entry { stem, knob: Some(knob), make: Box::new(move |value| Box::new(make(value.unwrap_or(usual)))) }
 }
 
-fn printed(stem: &'static str, title: &'static str, table: Table, reading: Reading) -> Entry {
-    plain(stem, move || bouthors::method(stem, title, table, reading))
+fn read(stem: &'static str, title: &'static str, table: Table, reading: Reading) -> Entry {
+    let make = move |count: Option<f64>| -> Box<dyn Method> {
+        let texels = count.map(|count| count as usize);
+        Box::new(bouthors::method((stem, texels), title, table, reading))
+    };
+    Entry { stem, knob: Some(texels()), make: Box::new(make) }
 }
 
 fn bouthors(stem: &'static str, title: &'static str, table: Table, emission: Emission) -> Entry {
-    printed(stem, title, table, Reading::Corrected(emission))
+    read(stem, title, table, Reading::Corrected(emission))
 }
 
 fn knob(counts: &'static str, range: Range, values: &'static [f64]) -> Knob {
@@ -62,12 +66,15 @@ fn knob(counts: &'static str, range: Range, values: &'static [f64]) -> Knob {
 
 const TEXELS: Range = stratiform_tables::sampled::TEXELS;
 
+fn texels() -> Knob {
+    knob("texels", TEXELS, &[64.0, 128.0, 256.0, 512.0, 1024.0])
+}
+
 fn photons() -> Knob {
     knob("photons", Range::closed(2.0, 1e12), &[1e2, 1e3, 1e4, 1e5])
 }
 
 fn entries() -> Vec<Entry> {
-    let texels = || knob("texels", TEXELS, &[64.0, 128.0, 256.0, 512.0, 1024.0]);
     let octave_knob = knob("octaves", Range::closed(1.0, 32.0), &[1.0, 2.0, 3.0, 4.0, 8.0, 16.0]);
     let streams = knob("streams per hemisphere", Range::closed(2.0, 128.0), &[2.0, 4.0, 8.0, 16.0, 32.0]);
     let orders = knob("orders", Range::closed(1.0, 60.0), &[1.0, 2.0, 5.0, 10.0, 20.0, 60.0]);
@@ -90,7 +97,7 @@ fn entries() -> Vec<Entry> {
         plain("delta-eddington", || two_stream::method(Closure::DeltaEddington)),
         plain("diffusion", || two_stream::method(Closure::Diffusion)),
         plain("asymptotic", asymptotic::method),
-        printed("bouthors-printed", "Bouthors 2006 as printed", Table::Published, Reading::Printed),
+        read("bouthors-printed", "Bouthors 2006 as printed", Table::Published, Reading::Printed),
         bouthors(
             "bouthors-published",
             "Bouthors 2006, published table",
@@ -115,7 +122,8 @@ fn entries() -> Vec<Entry> {
             Table::Refitted,
             Emission::Escape,
         ),
-        // The better model takes its place here.
+        read("bouthors-corrected-halo", "The same, with the halo", Table::Refitted, Reading::WithHalo),
+        plain("better", better::method),
         turned("orders", orders, 2.0, |count| successive::method(count as u32)),
         turned("solver", streams, 16.0, |count| solver::method(count as usize)),
     ];

@@ -8,8 +8,8 @@ use stratiform_methods::{Cloud, FluxPoint, Method, MethodError, Point, Ready, al
 use stratiform_model::angular::Sight;
 use stratiform_quantities::Side;
 
-const TAU: [f64; 9] = [0.0, 1e-6, 1e-3, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4];
-const MU: [f64; 6] = [1e-4, 1e-2, 0.3, 0.7, 0.999, 1.0];
+const TAU: [f64; 15] = [0.0, 1e-6, 1e-3, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 40.0, 100.0, 1e3, 1e4];
+const MU: [f64; 8] = [1e-4, 1e-2, 0.1, 0.3, 0.5, 0.7, 0.95, 1.0];
 const PHI: [f64; 3] = [0.0, 90.0, 180.0];
 
 /// Points of the sweep that lie inside the domain of `method`.
@@ -78,7 +78,7 @@ fn is_formula(method: &dyn Method) -> bool {
 
 #[test]
 fn formulas_are_finite_and_not_negative_inside_their_domain() {
-    for omega in [1.0, 0.999_999, 0.99, 0.9, 0.5] {
+    for omega in [1.0, 0.999_999, 0.9, 0.5] {
         let cloud = cloud(omega);
         for method in all().iter().filter(|method| is_formula(&***method)) {
             if method.card().domain.omega.contains(omega) {
@@ -133,5 +133,32 @@ fn names_lead_to_methods() {
         ["octaves:", "octaves:x", "octaves:0", "octaves:1.5", "octaves:NaN", "single-hg:3", "single-mie:63"]
     {
         assert!(by_name(name).is_err(), "{name}");
+    }
+}
+
+/// Formulas whose two precisions evaluate the same functions: those without tables, and those on texels in both.
+fn twins() -> Vec<Box<dyn Method>> {
+    let mut twins = all();
+    twins.retain(|method| method.card().table_bytes == Some(0) && method.card().radiance);
+    let on_texels = ["single-mie:256", "bouthors-corrected:256", "bouthors-corrected-halo:256"];
+    twins.extend(on_texels.map(|name| by_name(name).unwrap()));
+    twins
+}
+
+/// The shader's arithmetic against double precision, relative to the value down to 1e-30, beyond which f32 has no digits. Exponents to
+/// 70 cost 70 ε, the steepest phase function (1-g)^-1 ε, 2 - v near the glory as many digits as v has, on texels.
+#[test]
+fn both_precisions_agree() {
+    let cloud = cloud(1.0);
+    for method in twins() {
+        let ready = method.prepare(&cloud).unwrap();
+        let single = ready.single().unwrap();
+        let points = points(&*method);
+        for (point, value) in points.iter().zip(ready.radiances(&points).unwrap()) {
+            let sight = Sight::new(point.mu_l, point.mu_v, point.phi_deg, point.side).unwrap();
+            let off = f64::from(single.radiance(point.tau as f32, &sight.cast())) / value.value - 1.0;
+            let bound = if method.card().table_bytes == Some(0) { 1e-4 } else { 2e-3 };
+            assert!(value.value < 1e-30 || off.abs() < bound, "{} {point:?}: {off:e}", method.card().name);
+        }
     }
 }

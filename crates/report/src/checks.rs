@@ -4,8 +4,8 @@
 use crate::{ReportError, input::PhaseRow};
 use std::path::Path;
 use stratiform_artifact::{
-    AgreementRow, ArtifactError, ConvergenceRow, CurvesRow, LadderRow, OpticsDocument, OrdersRow,
-    ParametersDocument, PublishedRow, QuadratureRow, SolverCostRow, read_json,
+    AgreementRow, AngularBooksRow, ArtifactError, ConvergenceRow, CurvesRow, LadderRow, OpticsDocument,
+    OrdersRow, ParametersDocument, PrincipalPlaneRow, PublishedRow, QuadratureRow, SolverCostRow, read_json,
 };
 use stratiform_quantities::{Order, Range};
 
@@ -154,6 +154,23 @@ pub fn solver_cost(path: &Path, rows: &[SolverCostRow]) -> Result<(), ReportErro
     Ok(())
 }
 
+pub fn principal_plane(path: &Path, rows: &[PrincipalPlaneRow]) -> Result<(), ReportError> {
+    for (i, row) in rows.iter().enumerate() {
+        columns(
+            path,
+            Some(i),
+            &[
+                ("theta_l_deg", row.theta_l_deg, ANGLE),
+                ("thickness_m", row.thickness_m, POSITIVE),
+                ("theta_v_deg", row.theta_v_deg, Range::closed(-90.0, 90.0)),
+                ("value", row.value, FINITE),
+                ("std_error", row.std_error.unwrap_or_default(), NOT_NEGATIVE),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
 pub fn agreement(path: &Path, rows: &[AgreementRow]) -> Result<(), ReportError> {
     for (i, row) in rows.iter().enumerate() {
         let errors = [row.solved_error, row.traced_std_error].map(Option::unwrap_or_default);
@@ -204,6 +221,23 @@ pub fn quadrature(path: &Path, rows: &[QuadratureRow]) -> Result<(), ReportError
                 ("moments", row.moments, NOT_NEGATIVE),
                 ("phase_below_60_deg", row.phase_below_60_deg, NOT_NEGATIVE),
                 ("phase_beyond_60_deg", row.phase_beyond_60_deg, NOT_NEGATIVE),
+            ],
+        )?;
+    }
+    Ok(())
+}
+
+pub fn angular_books(path: &Path, rows: &[AngularBooksRow]) -> Result<(), ReportError> {
+    for (i, row) in rows.iter().enumerate() {
+        columns(
+            path,
+            Some(i),
+            &[
+                ("theta_l_deg", row.theta_l_deg, ANGLE),
+                ("tau", row.tau, POSITIVE),
+                ("integral", row.integral, FINITE),
+                ("one_dimensional_model", row.one_dimensional_model, FINITE),
+                ("solver", row.solver, FINITE),
             ],
         )?;
     }

@@ -8,9 +8,9 @@ use crate::{LeftOut, ReportError, checks};
 use serde::de::DeserializeOwned;
 use std::path::{Component, Path, PathBuf};
 use stratiform_artifact::{
-    AgreementDocument, AgreementRow, ArtifactError, ConvergenceRow, CurvesRow, LadderRow, NotesDocument,
-    OpticsDocument, OrdersRow, ParametersDocument, PublishedRow, QuadratureRow, SolverCostRow, read_csv,
-    read_json,
+    AgreementDocument, AgreementRow, AngularBooksRow, ArtifactError, ConvergenceRow, CurvesRow, LadderRow,
+    NotesDocument, OpticsDocument, OrdersRow, ParametersDocument, PrincipalPlaneRow, PublishedRow,
+    QuadratureRow, SolverCostRow, read_csv, read_json,
 };
 
 /// One row of a phase table.
@@ -36,6 +36,8 @@ pub struct Inputs {
     pub convergence: Option<Vec<ConvergenceRow>>,
     pub solver_cost: Option<Vec<SolverCostRow>>,
     pub quadrature: Option<Vec<QuadratureRow>>,
+    pub angular_books: Option<Vec<AngularBooksRow>>,
+    pub principal_plane: Option<Vec<PrincipalPlaneRow>>,
     pub published: Option<Vec<PublishedRow>>,
     pub curves: Option<Vec<CurvesRow>>,
     pub notes: Option<NotesDocument>,
@@ -49,6 +51,8 @@ pub mod optional {
     pub const CONVERGENCE: &str = "convergence.csv";
     pub const SOLVER_COST: &str = "solver_cost.csv";
     pub const QUADRATURE: &str = "optics/quadrature.csv";
+    pub const ANGULAR_BOOKS: &str = "angular-books.csv";
+    pub const PRINCIPAL_PLANE: &str = "figures/principal-plane.csv";
     pub const PUBLISHED: &str = "published.csv";
     pub const CURVES: &str = "curves.csv";
     pub const NOTES: &str = "notes.json";
@@ -78,6 +82,8 @@ impl Inputs {
             convergence: optional_table(&dir.join(optional::CONVERGENCE), checks::convergence)?,
             solver_cost: optional_table(&dir.join(optional::SOLVER_COST), checks::solver_cost)?,
             quadrature: optional_table(&dir.join(optional::QUADRATURE), checks::quadrature)?,
+            angular_books: optional_table(&dir.join(optional::ANGULAR_BOOKS), checks::angular_books)?,
+            principal_plane: optional_table(&dir.join(optional::PRINCIPAL_PLANE), checks::principal_plane)?,
             published: optional_table(&dir.join(optional::PUBLISHED), checks::published)?,
             curves: optional_table(&dir.join(optional::CURVES), checks::curves)?,
             optics,
@@ -176,7 +182,13 @@ impl Inputs {
             lacking(self.ladder.is_none(), "the ladder of approximations", optional::LADDER),
             lacking(self.convergence.is_none(), "the convergence figure", optional::CONVERGENCE),
             lacking(self.solver_cost.is_none(), "the cost of the solver", optional::SOLVER_COST),
+            lacking(
+                self.principal_plane.is_none(),
+                "radiance in the plane of the sun",
+                optional::PRINCIPAL_PLANE,
+            ),
             lacking(self.quadrature.is_none(), "the convergence of the size average", optional::QUADRATURE),
+            lacking(self.angular_books.is_none(), "the energy of the angular model", optional::ANGULAR_BOOKS),
         ]
         .into_iter()
         .flatten()

@@ -10,10 +10,12 @@ mod checks;
 mod error;
 mod figures;
 mod input;
+mod methods;
 mod page;
 
 pub use error::ReportError;
 use input::Inputs;
+pub use methods::{ChartSummary, build as build_chart};
 use std::path::{Path, PathBuf};
 use stratiform_artifact::{create_folder, write_atomic};
 

@@ -147,7 +147,10 @@ fn edit_optics(dir: &Path, edit: impl FnOnce(&mut OpticsDocument)) {
 
 #[test]
 fn an_unwritable_place_is_an_error_and_leaves_no_page() {
-    let error = refused(|dir| std::fs::write(dir.join("figures"), "a file, not a folder").unwrap());
+    let error = refused(|dir| {
+        std::fs::remove_dir_all(dir.join("figures")).unwrap();
+        std::fs::write(dir.join("figures"), "a file, not a folder").unwrap();
+    });
     assert!(matches!(error, ReportError::Artifact(_)), "{error}");
     assert!(error.to_string().contains("figures"), "{error}");
 }

@@ -65,6 +65,8 @@ fn figures_are_well_formed_labelled_and_complete() {
         "orders-theta-80.svg",
         "parameters.svg",
         "phase-functions.svg",
+        "plane-media.svg",
+        "plane-model.svg",
         "quadrature.svg",
         "solver-cost.svg",
     ];
@@ -80,6 +82,8 @@ fn figures_are_well_formed_labelled_and_complete() {
         ("misfit.svg", "misfit (per incident flux)"),
         ("orders-theta-0.svg", "thickness H (m)"),
         ("parameters.svg", "κc (1/m)"),
+        ("plane-media.svg", "view angle θv (degrees)"),
+        ("plane-model.svg", "πL/(μlF0) (1)"),
         ("phase-functions.svg", "scattering angle Θ (degrees)"),
     ] {
         let document = Document::parse(&figures[name]).unwrap();

@@ -2,7 +2,7 @@
 // Fluxes of a stratiform layer: the one-dimensional model of Bouthors et al. 2006.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -100,6 +100,9 @@ const float STRATIFORM_EXTINCTION_PER_M = 0.04618141;
 float stratiform_tau_from_metres_paper(float thickness_m) {
     return STRATIFORM_EXTINCTION_PER_M * thickness_m;
 }
+
+// Cosines below this are taken for it: the limit of grazing light.
+const float STRATIFORM_GRAZING = 1e-12;
 
 // ---- parameters ----------------------------------------------------------------------------------------------
 
@@ -270,12 +273,20 @@ struct StratiformFluxes {
     float r_three_plus;
 };
 
-// All fluxes for given parameters, t_zero the unscattered and extinguished the remaining share.
-StratiformFluxes stratiform_fluxes(StratiformParameters p, float t_zero, float extinguished, float tau) {
-    float onset = stratiform_rise(p.c * tau);
+// Fluxes that do not depend on how much light is unscattered.
+struct StratiformTurned {
+    float t_ms;
+    float r_ms;
+    float t_one;
+    float t_two;
+    float r_one;
+    float r_two;
+};
+
+// These, for given parameters.
+StratiformTurned stratiform_turned(StratiformParameters p, float tau) {
+    float onset = (1.0 - p.b) * stratiform_rise(p.c * tau);
     float denominator = 1.0 + STRATIFORM_SLOPE * tau;
-    float t_ms = (1.0 - (1.0 - p.b) * onset) / denominator;
-    float r_ms = (STRATIFORM_SLOPE * tau + (1.0 - p.b) * onset) / denominator;
     float x = p.kappa_c * tau;
     StratiformBrackets k = stratiform_brackets(x);
     // Those of 2 x.
@@ -283,26 +294,32 @@ StratiformFluxes stratiform_fluxes(StratiformParameters p, float t_zero, float e
     float twice_back = 2.0 * k.twice_back + k.rise * k.rise;
     float once_each = k.rise * k.rise + 2.0 * k.decay * k.once_each;
     float t_one = p.t * x * k.decay;
-    float r_one = 0.5 * p.r * rise;
-    float t_two = 0.5 * (p.t * x) * t_one + 0.25 * p.r * p.r * (k.decay * twice_back);
-    float r_two = 0.5 * p.r * p.t * once_each;
-    float scattered = (r_ms < 0.5 ? extinguished - r_ms : t_ms - t_zero);
-    return StratiformFluxes(
-        t_ms, r_ms, t_zero, t_one, t_two, scattered - t_one - t_two, r_one, r_two, r_ms - r_one - r_two
+    return StratiformTurned(
+        (1.0 - onset) / denominator, (STRATIFORM_SLOPE * tau + onset) / denominator, t_one,
+        0.5 * (p.t * x) * t_one + 0.25 * p.r * p.r * (k.decay * twice_back), 0.5 * p.r * rise,
+        0.5 * p.r * p.t * once_each
     );
+}
+
+// All fluxes for given parameters, t_zero the unscattered and extinguished the remaining share.
+StratiformFluxes stratiform_fluxes(StratiformParameters p, float t_zero, float extinguished, float tau) {
+    StratiformTurned f = stratiform_turned(p, tau);
+    float scattered = (f.r_ms < 0.5 ? extinguished - f.r_ms : f.t_ms - t_zero);
+    return StratiformFluxes(
+        f.t_ms, f.r_ms, t_zero, f.t_one, f.t_two, scattered - f.t_one - f.t_two, f.r_one, f.r_two,
+        f.r_ms - f.r_one - f.r_two
+    );
+}
+
+// A cosine that is not 0.
+float stratiform_leaning(float mu) {
+    return (mu > STRATIFORM_GRAZING ? mu : STRATIFORM_GRAZING);
 }
 
 // A beam at mu_l in [0, 1] on optical thickness tau in [0, 1e6].
 StratiformFluxes stratiform_beam(float mu_l, float tau) {
-    float depth = STRATIFORM_KAPPA_S * tau;
-    float t_zero = (tau > 0.0 ? 0.0 : 1.0);
-    float extinguished = 1.0 - t_zero;
-    if (mu_l > 0.0) {
-        StratiformBrackets k = stratiform_brackets(depth / mu_l);
-        t_zero = k.decay;
-        extinguished = k.rise;
-    }
-    return stratiform_fluxes(stratiform_parameters(mu_l), t_zero, extinguished, tau);
+    StratiformBrackets k = stratiform_brackets(STRATIFORM_KAPPA_S * tau / stratiform_leaning(mu_l));
+    return stratiform_fluxes(stratiform_parameters(mu_l), k.decay, k.rise, tau);
 }
 
 // Uniform light from the whole upper hemisphere on optical thickness tau in [0, 1e6].

@@ -2,7 +2,7 @@
 // Fluxes of a stratiform layer: the one-dimensional model of Bouthors et al. 2006.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -105,6 +105,9 @@ static inline float stratiform_tau_from_metres_paper(float thickness_m) {
     return STRATIFORM_EXTINCTION_PER_M * thickness_m;
 }
 
+// Cosines below this are taken for it: the limit of grazing light.
+static const float STRATIFORM_GRAZING = 1e-12f;
+
 // ---- parameters ----------------------------------------------------------------------------------------------
 
 typedef struct StratiformParameters {
@@ -117,64 +120,36 @@ typedef struct StratiformParameters {
 
 // The table's row i: every angle in rising theta_l.
 static inline StratiformParameters stratiform_node(uint32_t i) {
-    switch (i) {
-        case 0u: {
-            StratiformParameters result = {1.2325338f, 0.28889403f, 0.600469f, 0.83710104f, 0.062024135f};
-            return result;
-        }
-        case 1u: {
-            StratiformParameters result = {1.2199235f, 0.29782873f, 0.6087239f, 0.8360935f, 0.062439688f};
-            return result;
-        }
-        case 2u: {
-            StratiformParameters result = {1.1825998f, 0.32909223f, 0.6345666f, 0.83300376f, 0.06392319f};
-            return result;
-        }
-        case 3u: {
-            StratiformParameters result = {1.1220498f, 0.40832466f, 0.68159735f, 0.82766426f, 0.06731901f};
-            return result;
-        }
-        case 4u: {
-            StratiformParameters result = {1.0417554f, 0.854336f, 0.7572875f, 0.81993943f, 0.07457296f};
-            return result;
-        }
-        case 5u: {
-            StratiformParameters result = {0.9611148f, 0.6616242f, 0.8763634f, 0.8100649f, 0.08970809f};
-            return result;
-        }
-        case 6u: {
-            StratiformParameters result = {0.82442236f, 0.4920426f, 1.0701659f, 0.7995814f, 0.121763185f};
-            return result;
-        }
-        case 7u: {
-            StratiformParameters result = {0.6938588f, 0.8517966f, 1.414212f, 0.7901947f, 0.19024621f};
-            return result;
-        }
-        case 8u: {
-            StratiformParameters result = {0.54881006f, 1.9254793f, 2.1895654f, 0.76496637f, 0.3428902f};
-            return result;
-        }
-        default: {
-            StratiformParameters result = {0.26221666f, 20.0f, 10.679448f, 0.26767483f, 1.0f};
-            return result;
-        }
-    }
+    static const StratiformParameters values[10] = {
+        {1.2325338f, 0.28889403f, 0.600469f, 0.83710104f, 0.062024135f},
+        {1.2199235f, 0.29782873f, 0.6087239f, 0.8360935f, 0.062439688f},
+        {1.1825998f, 0.32909223f, 0.6345666f, 0.83300376f, 0.06392319f},
+        {1.1220498f, 0.40832466f, 0.68159735f, 0.82766426f, 0.06731901f},
+        {1.0417554f, 0.854336f, 0.7572875f, 0.81993943f, 0.07457296f},
+        {0.9611148f, 0.6616242f, 0.8763634f, 0.8100649f, 0.08970809f},
+        {0.82442236f, 0.4920426f, 1.0701659f, 0.7995814f, 0.121763185f},
+        {0.6938588f, 0.8517966f, 1.414212f, 0.7901947f, 0.19024621f},
+        {0.54881006f, 1.9254793f, 2.1895654f, 0.76496637f, 0.3428902f},
+        {0.26221666f, 20.0f, 10.679448f, 0.26767483f, 1.0f},
+    };
+    return values[i < 9u ? i : 9u];
 }
 
 // mu_l of the table's row i.
 static inline float stratiform_node_mu(uint32_t i) {
-    switch (i) {
-        case 0u: return 1.0f;
-        case 1u: return 0.9848077f;
-        case 2u: return 0.9396926f;
-        case 3u: return 0.8660254f;
-        case 4u: return 0.76604444f;
-        case 5u: return 0.64278764f;
-        case 6u: return 0.5f;
-        case 7u: return 0.34202015f;
-        case 8u: return 0.17364818f;
-        default: return 0.0f;
-    }
+    static const float values[10] = {
+        1.0f,
+        0.9848077f,
+        0.9396926f,
+        0.8660254f,
+        0.76604444f,
+        0.64278764f,
+        0.5f,
+        0.34202015f,
+        0.17364818f,
+        0.0f,
+    };
+    return values[i < 9u ? i : 9u];
 }
 
 // p * q / (q + (p - q) * w): 1/p to 1/q linearly.
@@ -308,14 +283,20 @@ typedef struct StratiformFluxes {
     float r_three_plus;
 } StratiformFluxes;
 
-// All fluxes for given parameters, t_zero the unscattered and extinguished the remaining share.
-static inline StratiformFluxes stratiform_fluxes(
-    StratiformParameters p, float t_zero, float extinguished, float tau
-) {
-    float onset = stratiform_rise(p.c * tau);
+// Fluxes that do not depend on how much light is unscattered.
+typedef struct StratiformTurned {
+    float t_ms;
+    float r_ms;
+    float t_one;
+    float t_two;
+    float r_one;
+    float r_two;
+} StratiformTurned;
+
+// These, for given parameters.
+static inline StratiformTurned stratiform_turned(StratiformParameters p, float tau) {
+    float onset = (1.0f - p.b) * stratiform_rise(p.c * tau);
     float denominator = 1.0f + STRATIFORM_SLOPE * tau;
-    float t_ms = (1.0f - (1.0f - p.b) * onset) / denominator;
-    float r_ms = (STRATIFORM_SLOPE * tau + (1.0f - p.b) * onset) / denominator;
     float x = p.kappa_c * tau;
     StratiformBrackets k = stratiform_brackets(x);
     // Those of 2 x.
@@ -323,27 +304,36 @@ static inline StratiformFluxes stratiform_fluxes(
     float twice_back = 2.0f * k.twice_back + k.rise * k.rise;
     float once_each = k.rise * k.rise + 2.0f * k.decay * k.once_each;
     float t_one = p.t * x * k.decay;
-    float r_one = 0.5f * p.r * rise;
-    float t_two = 0.5f * (p.t * x) * t_one + 0.25f * p.r * p.r * (k.decay * twice_back);
-    float r_two = 0.5f * p.r * p.t * once_each;
-    float scattered = (r_ms < 0.5f ? extinguished - r_ms : t_ms - t_zero);
-    StratiformFluxes result = {
-        t_ms, r_ms, t_zero, t_one, t_two, scattered - t_one - t_two, r_one, r_two, r_ms - r_one - r_two
+    StratiformTurned result = {
+        (1.0f - onset) / denominator, (STRATIFORM_SLOPE * tau + onset) / denominator, t_one,
+        0.5f * (p.t * x) * t_one + 0.25f * p.r * p.r * (k.decay * twice_back), 0.5f * p.r * rise,
+        0.5f * p.r * p.t * once_each
     };
     return result;
 }
 
+// All fluxes for given parameters, t_zero the unscattered and extinguished the remaining share.
+static inline StratiformFluxes stratiform_fluxes(
+    StratiformParameters p, float t_zero, float extinguished, float tau
+) {
+    StratiformTurned f = stratiform_turned(p, tau);
+    float scattered = (f.r_ms < 0.5f ? extinguished - f.r_ms : f.t_ms - t_zero);
+    StratiformFluxes result = {
+        f.t_ms, f.r_ms, t_zero, f.t_one, f.t_two, scattered - f.t_one - f.t_two, f.r_one, f.r_two,
+        f.r_ms - f.r_one - f.r_two
+    };
+    return result;
+}
+
+// A cosine that is not 0.
+static inline float stratiform_leaning(float mu) {
+    return (mu > STRATIFORM_GRAZING ? mu : STRATIFORM_GRAZING);
+}
+
 // A beam at mu_l in [0, 1] on optical thickness tau in [0, 1e6].
 static inline StratiformFluxes stratiform_beam(float mu_l, float tau) {
-    float depth = STRATIFORM_KAPPA_S * tau;
-    float t_zero = (tau > 0.0f ? 0.0f : 1.0f);
-    float extinguished = 1.0f - t_zero;
-    if (mu_l > 0.0f) {
-        StratiformBrackets k = stratiform_brackets(depth / mu_l);
-        t_zero = k.decay;
-        extinguished = k.rise;
-    }
-    return stratiform_fluxes(stratiform_parameters(mu_l), t_zero, extinguished, tau);
+    StratiformBrackets k = stratiform_brackets(STRATIFORM_KAPPA_S * tau / stratiform_leaning(mu_l));
+    return stratiform_fluxes(stratiform_parameters(mu_l), k.decay, k.rise, tau);
 }
 
 // Uniform light from the whole upper hemisphere on optical thickness tau in [0, 1e6].
@@ -436,272 +426,185 @@ static const uint32_t STRATIFORM_SELF_TEST_COUNT = 28u;
 
 // mu_l of vector i; -1 stands for diffuse light.
 static inline float stratiform_self_test_mu(uint32_t i) {
-    switch (i) {
-        case 0u: return 1.0f;
-        case 1u: return 0.9848077f;
-        case 2u: return 0.9396926f;
-        case 3u: return 0.8660254f;
-        case 4u: return 0.76604444f;
-        case 5u: return 0.64278764f;
-        case 6u: return 0.5f;
-        case 7u: return 0.34202015f;
-        case 8u: return 0.17364818f;
-        case 9u: return 0.0f;
-        case 10u: return 0.99240386f;
-        case 11u: return 0.9622502f;
-        case 12u: return 0.90285903f;
-        case 13u: return 0.8160349f;
-        case 14u: return 0.70441604f;
-        case 15u: return 0.5713938f;
-        case 16u: return 0.42101008f;
-        case 17u: return 0.25783417f;
-        case 18u: return 0.08682409f;
-        case 19u: return 0.001f;
-        case 20u: return 0.01f;
-        case 21u: return 0.1f;
-        case 22u: return 1.0f;
-        case 23u: return 1.0f;
-        case 24u: return 0.0f;
-        case 25u: return -1.0f;
-        case 26u: return -1.0f;
-        default: return -1.0f;
-    }
+    static const float values[28] = {
+        1.0f,
+        0.9848077f,
+        0.9396926f,
+        0.8660254f,
+        0.76604444f,
+        0.64278764f,
+        0.5f,
+        0.34202015f,
+        0.17364818f,
+        0.0f,
+        0.99240386f,
+        0.9622502f,
+        0.90285903f,
+        0.8160349f,
+        0.70441604f,
+        0.5713938f,
+        0.42101008f,
+        0.25783417f,
+        0.08682409f,
+        0.001f,
+        0.01f,
+        0.1f,
+        1.0f,
+        1.0f,
+        0.0f,
+        -1.0f,
+        -1.0f,
+        -1.0f,
+    };
+    return values[i < 27u ? i : 27u];
 }
 
 // tau of vector i.
 static inline float stratiform_self_test_tau(uint32_t i) {
-    switch (i) {
-        case 0u: return 2.0f;
-        case 1u: return 2.0f;
-        case 2u: return 2.0f;
-        case 3u: return 2.0f;
-        case 4u: return 2.0f;
-        case 5u: return 2.0f;
-        case 6u: return 2.0f;
-        case 7u: return 2.0f;
-        case 8u: return 2.0f;
-        case 9u: return 2.0f;
-        case 10u: return 0.5f;
-        case 11u: return 0.5f;
-        case 12u: return 0.5f;
-        case 13u: return 0.5f;
-        case 14u: return 0.5f;
-        case 15u: return 0.5f;
-        case 16u: return 0.5f;
-        case 17u: return 0.5f;
-        case 18u: return 0.5f;
-        case 19u: return 0.01f;
-        case 20u: return 0.01f;
-        case 21u: return 0.01f;
-        case 22u: return 0.0001f;
-        case 23u: return 200.0f;
-        case 24u: return 0.1f;
-        case 25u: return 0.5f;
-        case 26u: return 2.0f;
-        default: return 200.0f;
-    }
+    static const float values[28] = {
+        2.0f,
+        2.0f,
+        2.0f,
+        2.0f,
+        2.0f,
+        2.0f,
+        2.0f,
+        2.0f,
+        2.0f,
+        2.0f,
+        0.5f,
+        0.5f,
+        0.5f,
+        0.5f,
+        0.5f,
+        0.5f,
+        0.5f,
+        0.5f,
+        0.5f,
+        0.01f,
+        0.01f,
+        0.01f,
+        0.0001f,
+        200.0f,
+        0.1f,
+        0.5f,
+        2.0f,
+        200.0f,
+    };
+    return values[i < 27u ? i : 27u];
 }
 
 // What the model gives for vector i in double precision.
 static inline StratiformFluxes stratiform_self_test_expected(uint32_t i) {
-    switch (i) {
-        case 0u: {
-            StratiformFluxes result = {
-                0.90671843f, 0.09328156f, 0.3360257f, 0.3025086f, 0.15248883f, 0.11569529f, 0.028203988f,
-                0.01796363f, 0.047113936f
-            };
-            return result;
-        }
-        case 1u: {
-            StratiformFluxes result = {
-                0.9039634f, 0.096036606f, 0.33041978f, 0.3012828f, 0.15377712f, 0.11848369f, 0.028484771f,
-                0.018247867f, 0.049303968f
-            };
-            return result;
-        }
-        case 2u: {
-            StratiformFluxes result = {
-                0.8952008f, 0.10479923f, 0.31331137f, 0.2971506f, 0.15753709f, 0.1272017f, 0.029436525f,
-                0.019181766f, 0.056180943f
-            };
-            return result;
-        }
-        case 3u: {
-            StratiformFluxes result = {
-                0.8787979f, 0.121202104f, 0.28385863f, 0.28865835f, 0.16336131f, 0.1429196f, 0.031456318f,
-                0.021063697f, 0.06868209f
-            };
-            return result;
-        }
-        case 4u: {
-            StratiformFluxes result = {
-                0.8508888f, 0.14911123f, 0.24083702f, 0.27308697f, 0.17020302f, 0.16676176f, 0.035483427f,
-                0.024615986f, 0.08901181f
-            };
-            return result;
-        }
-        case 5u: {
-            StratiformFluxes result = {
-                0.7992818f, 0.20071824f, 0.1833017f, 0.24605629f, 0.17556214f, 0.19436164f, 0.043506935f,
-                0.03141813f, 0.12579317f
-            };
-            return result;
-        }
-        case 6u: {
-            StratiformFluxes result = {
-                0.73229396f, 0.26770604f, 0.11291329f, 0.20128413f, 0.17367199f, 0.24442455f, 0.060039386f,
-                0.04512373f, 0.16254294f
-            };
-            return result;
-        }
-        case 7u: {
-            StratiformFluxes result = {
-                0.6167257f, 0.3832743f, 0.0412293f, 0.13210209f, 0.15011688f, 0.29327744f, 0.09479079f,
-                0.07341773f, 0.21506579f
-            };
-            return result;
-        }
-        case 8u: {
-            StratiformFluxes result = {
-                0.45942867f, 0.54057133f, 0.0018727857f, 0.041995026f, 0.07319816f, 0.3423627f, 0.17141816f,
-                0.1309486f, 0.23820457f
-            };
-            return result;
-        }
-        case 9u: {
-            StratiformFluxes result = {
-                0.21574032f, 0.7842597f, 0.0f, 3.0278582e-9f, 1.4178946e-8f, 0.21574031f, 0.5f, 0.13383742f,
-                0.15042226f
-            };
-            return result;
-        }
-        case 10u: {
-            StratiformFluxes result = {
-                0.97817636f, 0.021823633f, 0.7597782f, 0.18691814f, 0.023742842f, 0.00773721f, 0.014116833f,
-                0.0032124605f, 0.0044943388f
-            };
-            return result;
-        }
-        case 11u: {
-            StratiformFluxes result = {
-                0.9765359f, 0.02346408f, 0.75326526f, 0.19004057f, 0.024753252f, 0.00847683f, 0.014618032f,
-                0.0034002054f, 0.005445842f
-            };
-            return result;
-        }
-        case 12u: {
-            StratiformFluxes result = {
-                0.97297406f, 0.02702593f, 0.7393557f, 0.19643989f, 0.026936641f, 0.010241829f, 0.015794951f,
-                0.003841148f, 0.00738983f
-            };
-            return result;
-        }
-        case 13u: {
-            StratiformFluxes result = {
-                0.9676563f, 0.032343667f, 0.71597815f, 0.20643948f, 0.030683044f, 0.014555684f, 0.01811491f,
-                0.0047186026f, 0.009510156f
-            };
-            return result;
-        }
-        case 14u: {
-            StratiformFluxes result = {
-                0.94931936f, 0.050680608f, 0.6790594f, 0.22055428f, 0.03679458f, 0.012911143f, 0.022651277f,
-                0.0064950343f, 0.021534298f
-            };
-            return result;
-        }
-        case 15u: {
-            StratiformFluxes result = {
-                0.9238784f, 0.07612165f, 0.62054795f, 0.23951246f, 0.047006696f, 0.016811214f, 0.031946886f,
-                0.01042863f, 0.033746134f
-            };
-            return result;
-        }
-        case 16u: {
-            StratiformFluxes result = {
-                0.88765943f, 0.11234058f, 0.5233055f, 0.26332313f, 0.06529577f, 0.03573507f, 0.052289452f,
-                0.020301564f, 0.039749563f
-            };
-            return result;
-        }
-        case 17u: {
-            StratiformFluxes result = {
-                0.7886498f, 0.2113502f, 0.34734693f, 0.28294152f, 0.100212954f, 0.058148403f, 0.100414574f,
-                0.048758242f, 0.06217738f
-            };
-            return result;
-        }
-        case 18u: {
-            StratiformFluxes result = {
-                0.48219278f, 0.51780725f, 0.043275695f, 0.15246001f, 0.09970442f, 0.18675265f, 0.2485943f,
-                0.115701884f, 0.15351105f
-            };
-            return result;
-        }
-        case 19u: {
-            StratiformFluxes result = {
-                0.87183636f, 0.12816365f, 0.0042841313f, 0.025457751f, 0.0048498963f, 0.8372446f, 0.09324246f,
-                0.0025434338f, 0.032377753f
-            };
-            return result;
-        }
-        case 20u: {
-            StratiformFluxes result = {
-                0.9112044f, 0.088795625f, 0.5796773f, 0.023705797f, 0.002981184f, 0.30484012f, 0.07214262f,
-                0.0018119315f, 0.014841072f
-            };
-            return result;
-        }
-        case 21u: {
-            StratiformFluxes result = {
-                0.9813372f, 0.018662782f, 0.94693166f, 0.017707577f, 0.00027875026f, 0.01641925f,
-                0.015195768f, 0.00027505515f, 0.0031919593f
-            };
-            return result;
-        }
-        case 22u: {
-            StratiformFluxes result = {
-                0.99999595f, 4.0536474e-6f, 0.99994546f, 5.0262304e-5f, 1.2701601e-9f, 2.096694e-7f,
-                3.7241334e-6f, 1.8719101e-10f, 3.2932672e-7f
-            };
-            return result;
-        }
-        case 23u: {
-            StratiformFluxes result = {
-                0.054675482f, 0.94532454f, 0.0f, 0.0f, 0.0f, 0.054675482f, 0.031012068f, 0.025960233f,
-                0.8883522f
-            };
-            return result;
-        }
-        case 24u: {
-            StratiformFluxes result = {
-                0.3582064f, 0.6417936f, 0.0f, 0.09825481f, 0.12180055f, 0.13815103f, 0.44093028f, 0.08425436f,
-                0.11660896f
-            };
-            return result;
-        }
-        case 25u: {
-            StratiformFluxes result = {
-                0.92351437f, 0.07648563f, 0.6264471f, 0.22302993f, 0.038994372f, 0.03504297f, 0.03360237f,
-                0.009911347f, 0.032971907f
-            };
-            return result;
-        }
-        case 26u: {
-            StratiformFluxes result = {
-                0.7861863f, 0.21381374f, 0.19419852f, 0.24297987f, 0.16868645f, 0.18032143f, 0.05614639f,
-                0.03958735f, 0.11808f
-            };
-            return result;
-        }
-        default: {
-            StratiformFluxes result = {
-                0.042327464f, 0.95767254f, 0.0f, 0.0f, 0.0f, 0.042327464f, 0.05795273f, 0.04599298f,
-                0.8537268f
-            };
-            return result;
-        }
-    }
+    static const StratiformFluxes values[28] = {
+        {
+            0.90671843f, 0.09328156f, 0.3360257f, 0.3025086f, 0.15248883f, 0.11569529f, 0.028203988f,
+            0.01796363f, 0.047113936f
+        },
+        {
+            0.9039634f, 0.096036606f, 0.33041978f, 0.3012828f, 0.15377712f, 0.11848369f, 0.028484771f,
+            0.018247867f, 0.049303968f
+        },
+        {
+            0.8952008f, 0.10479923f, 0.31331137f, 0.2971506f, 0.15753709f, 0.1272017f, 0.029436525f,
+            0.019181766f, 0.056180943f
+        },
+        {
+            0.8787979f, 0.121202104f, 0.28385863f, 0.28865835f, 0.16336131f, 0.1429196f, 0.031456318f,
+            0.021063697f, 0.06868209f
+        },
+        {
+            0.8508888f, 0.14911123f, 0.24083702f, 0.27308697f, 0.17020302f, 0.16676176f, 0.035483427f,
+            0.024615986f, 0.08901181f
+        },
+        {
+            0.7992818f, 0.20071824f, 0.1833017f, 0.24605629f, 0.17556214f, 0.19436164f, 0.043506935f,
+            0.03141813f, 0.12579317f
+        },
+        {
+            0.73229396f, 0.26770604f, 0.11291329f, 0.20128413f, 0.17367199f, 0.24442455f, 0.060039386f,
+            0.04512373f, 0.16254294f
+        },
+        {
+            0.6167257f, 0.3832743f, 0.0412293f, 0.13210209f, 0.15011688f, 0.29327744f, 0.09479079f,
+            0.07341773f, 0.21506579f
+        },
+        {
+            0.45942867f, 0.54057133f, 0.0018727857f, 0.041995026f, 0.07319816f, 0.3423627f, 0.17141816f,
+            0.1309486f, 0.23820457f
+        },
+        {
+            0.21574032f, 0.7842597f, 0.0f, 3.0278582e-9f, 1.4178946e-8f, 0.21574031f, 0.5f, 0.13383742f,
+            0.15042226f
+        },
+        {
+            0.97817636f, 0.021823633f, 0.7597782f, 0.18691814f, 0.023742842f, 0.00773721f, 0.014116833f,
+            0.0032124605f, 0.0044943388f
+        },
+        {
+            0.9765359f, 0.02346408f, 0.75326526f, 0.19004057f, 0.024753252f, 0.00847683f, 0.014618032f,
+            0.0034002054f, 0.005445842f
+        },
+        {
+            0.97297406f, 0.02702593f, 0.7393557f, 0.19643989f, 0.026936641f, 0.010241829f, 0.015794951f,
+            0.003841148f, 0.00738983f
+        },
+        {
+            0.9676563f, 0.032343667f, 0.71597815f, 0.20643948f, 0.030683044f, 0.014555684f, 0.01811491f,
+            0.0047186026f, 0.009510156f
+        },
+        {
+            0.94931936f, 0.050680608f, 0.6790594f, 0.22055428f, 0.03679458f, 0.012911143f, 0.022651277f,
+            0.0064950343f, 0.021534298f
+        },
+        {
+            0.9238784f, 0.07612165f, 0.62054795f, 0.23951246f, 0.047006696f, 0.016811214f, 0.031946886f,
+            0.01042863f, 0.033746134f
+        },
+        {
+            0.88765943f, 0.11234058f, 0.5233055f, 0.26332313f, 0.06529577f, 0.03573507f, 0.052289452f,
+            0.020301564f, 0.039749563f
+        },
+        {
+            0.7886498f, 0.2113502f, 0.34734693f, 0.28294152f, 0.100212954f, 0.058148403f, 0.100414574f,
+            0.048758242f, 0.06217738f
+        },
+        {
+            0.48219278f, 0.51780725f, 0.043275695f, 0.15246001f, 0.09970442f, 0.18675265f, 0.2485943f,
+            0.115701884f, 0.15351105f
+        },
+        {
+            0.87183636f, 0.12816365f, 0.0042841313f, 0.025457751f, 0.0048498963f, 0.8372446f, 0.09324246f,
+            0.0025434338f, 0.032377753f
+        },
+        {
+            0.9112044f, 0.088795625f, 0.5796773f, 0.023705797f, 0.002981184f, 0.30484012f, 0.07214262f,
+            0.0018119315f, 0.014841072f
+        },
+        {
+            0.9813372f, 0.018662782f, 0.94693166f, 0.017707577f, 0.00027875026f, 0.01641925f, 0.015195768f,
+            0.00027505515f, 0.0031919593f
+        },
+        {
+            0.99999595f, 4.0536474e-6f, 0.99994546f, 5.0262304e-5f, 1.2701601e-9f, 2.096694e-7f,
+            3.7241334e-6f, 1.8719101e-10f, 3.2932672e-7f
+        },
+        {0.054675482f, 0.94532454f, 0.0f, 0.0f, 0.0f, 0.054675482f, 0.031012068f, 0.025960233f, 0.8883522f},
+        {
+            0.3582064f, 0.6417936f, 0.0f, 0.09825481f, 0.12180055f, 0.13815103f, 0.44093028f, 0.08425436f,
+            0.11660896f
+        },
+        {
+            0.92351437f, 0.07648563f, 0.6264471f, 0.22302993f, 0.038994372f, 0.03504297f, 0.03360237f,
+            0.009911347f, 0.032971907f
+        },
+        {
+            0.7861863f, 0.21381374f, 0.19419852f, 0.24297987f, 0.16868645f, 0.18032143f, 0.05614639f,
+            0.03958735f, 0.11808f
+        },
+        {0.042327464f, 0.95767254f, 0.0f, 0.0f, 0.0f, 0.042327464f, 0.05795273f, 0.04599298f, 0.8537268f},
+    };
+    return values[i < 27u ? i : 27u];
 }
 
 // 1 if value is off by more than 2e-5 (0.1 + |expected|), else 0.

@@ -2,7 +2,7 @@
 // Fluxes of a stratiform layer: the one-dimensional model of Bouthors et al. 2006.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -99,6 +99,9 @@ pub const STRATIFORM_EXTINCTION_PER_M: f32 = 0.04618141;
 pub fn stratiform_tau_from_metres_paper(thickness_m: f32) -> f32 {
     STRATIFORM_EXTINCTION_PER_M * thickness_m
 }
+
+/// Cosines below this are taken for it: the limit of grazing light.
+pub const STRATIFORM_GRAZING: f32 = 1e-12;
 
 // ---- parameters ----------------------------------------------------------------------------------------------
 
@@ -298,14 +301,21 @@ pub struct StratiformFluxes {
     pub r_three_plus: f32,
 }
 
-/// All fluxes for given parameters, t_zero the unscattered and extinguished the remaining share.
-pub fn stratiform_fluxes(
-    p: StratiformParameters, t_zero: f32, extinguished: f32, tau: f32
-) -> StratiformFluxes {
-    let onset: f32 = stratiform_rise(p.c * tau);
+/// Fluxes that do not depend on how much light is unscattered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StratiformTurned {
+    pub t_ms: f32,
+    pub r_ms: f32,
+    pub t_one: f32,
+    pub t_two: f32,
+    pub r_one: f32,
+    pub r_two: f32,
+}
+
+/// These, for given parameters.
+pub fn stratiform_turned(p: StratiformParameters, tau: f32) -> StratiformTurned {
+    let onset: f32 = (1.0 - p.b) * stratiform_rise(p.c * tau);
     let denominator: f32 = 1.0 + STRATIFORM_SLOPE * tau;
-    let t_ms: f32 = (1.0 - (1.0 - p.b) * onset) / denominator;
-    let r_ms: f32 = (STRATIFORM_SLOPE * tau + (1.0 - p.b) * onset) / denominator;
     let x: f32 = p.kappa_c * tau;
     let k: StratiformBrackets = stratiform_brackets(x);
     // Those of 2 x.
@@ -313,27 +323,35 @@ pub fn stratiform_fluxes(
     let twice_back: f32 = 2.0 * k.twice_back + k.rise * k.rise;
     let once_each: f32 = k.rise * k.rise + 2.0 * k.decay * k.once_each;
     let t_one: f32 = p.t * x * k.decay;
-    let r_one: f32 = 0.5 * p.r * rise;
-    let t_two: f32 = 0.5 * (p.t * x) * t_one + 0.25 * p.r * p.r * (k.decay * twice_back);
-    let r_two: f32 = 0.5 * p.r * p.t * once_each;
-    let scattered: f32 = if r_ms < 0.5 { extinguished - r_ms } else { t_ms - t_zero };
-    StratiformFluxes {
-        t_ms, r_ms, t_zero, t_one, t_two, t_three_plus: scattered - t_one - t_two, r_one, r_two,
-        r_three_plus: r_ms - r_one - r_two
+    StratiformTurned {
+        t_ms: (1.0 - onset) / denominator, r_ms: (STRATIFORM_SLOPE * tau + onset) / denominator, t_one,
+        t_two: 0.5 * (p.t * x) * t_one + 0.25 * p.r * p.r * (k.decay * twice_back), r_one: 0.5 * p.r * rise,
+        r_two: 0.5 * p.r * p.t * once_each
     }
+}
+
+/// All fluxes for given parameters, t_zero the unscattered and extinguished the remaining share.
+pub fn stratiform_fluxes(
+    p: StratiformParameters, t_zero: f32, extinguished: f32, tau: f32
+) -> StratiformFluxes {
+    let f: StratiformTurned = stratiform_turned(p, tau);
+    let scattered: f32 = if f.r_ms < 0.5 { extinguished - f.r_ms } else { f.t_ms - t_zero };
+    StratiformFluxes {
+        t_ms: f.t_ms, r_ms: f.r_ms, t_zero, t_one: f.t_one, t_two: f.t_two,
+        t_three_plus: scattered - f.t_one - f.t_two, r_one: f.r_one, r_two: f.r_two,
+        r_three_plus: f.r_ms - f.r_one - f.r_two
+    }
+}
+
+/// A cosine that is not 0.
+pub fn stratiform_leaning(mu: f32) -> f32 {
+    if mu > STRATIFORM_GRAZING { mu } else { STRATIFORM_GRAZING }
 }
 
 /// A beam at mu_l in [0, 1] on optical thickness tau in [0, 1e6].
 pub fn stratiform_beam(mu_l: f32, tau: f32) -> StratiformFluxes {
-    let depth: f32 = STRATIFORM_KAPPA_S * tau;
-    let mut t_zero: f32 = if tau > 0.0 { 0.0 } else { 1.0 };
-    let mut extinguished: f32 = 1.0 - t_zero;
-    if mu_l > 0.0 {
-        let k: StratiformBrackets = stratiform_brackets(depth / mu_l);
-        t_zero = k.decay;
-        extinguished = k.rise;
-    }
-    stratiform_fluxes(stratiform_parameters(mu_l), t_zero, extinguished, tau)
+    let k: StratiformBrackets = stratiform_brackets(STRATIFORM_KAPPA_S * tau / stratiform_leaning(mu_l));
+    stratiform_fluxes(stratiform_parameters(mu_l), k.decay, k.rise, tau)
 }
 
 /// Uniform light from the whole upper hemisphere on optical thickness tau in [0, 1e6].

@@ -2,7 +2,7 @@
 // Phase functions of the cloud, looked up in a table.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -53,12 +53,12 @@ float stratiform_near_arc(float v) {
     sum = sum * x + 0.0889789874;
     sum = sum * x - 0.2145988016;
     sum = sum * x + 1.5707963050;
-    return sqrt(max(v, 0.0)) * sum;
+    return sqrt((v > 0.0 ? v : 0.0)) * sum;
 }
 
 // acos(1 - v) for v in [0, 2].
 float stratiform_arc(float v) {
-    float arc = stratiform_near_arc(min(v, 2.0 - v));
+    float arc = stratiform_near_arc((v <= 1.0 ? v : 2.0 - v));
     return (v <= 1.0 ? arc : 3.14159265 - arc);
 }
 
@@ -82,7 +82,7 @@ float stratiform_phase_angle(float coordinate) {
 
 // Where v is in every row.
 StratiformPlace stratiform_phase_place(float v) {
-    float nearest = sqrt(stratiform_near_arc(min(v, 2.0 - v)) * 0.159154943);
+    float nearest = sqrt(stratiform_near_arc((v <= 1.0 ? v : 2.0 - v)) * 0.159154943);
     float place = (v <= 1.0 ? nearest : 1.0 - nearest) * float(STRATIFORM_PHASE_COUNT - 1u);
     uint whole = uint(place);
     uint cell = (whole < STRATIFORM_PHASE_COUNT - 2u ? whole : STRATIFORM_PHASE_COUNT - 2u);

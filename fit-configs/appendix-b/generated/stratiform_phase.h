@@ -2,7 +2,7 @@
 // Phase functions of the cloud, looked up in a table.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -314,12 +314,12 @@ static inline float stratiform_near_arc(float v) {
     sum = sum * x + 0.0889789874f;
     sum = sum * x - 0.2145988016f;
     sum = sum * x + 1.5707963050f;
-    return sqrtf(fmaxf(v, 0.0f)) * sum;
+    return sqrtf((v > 0.0f ? v : 0.0f)) * sum;
 }
 
 // acos(1 - v) for v in [0, 2].
 static inline float stratiform_arc(float v) {
-    float arc = stratiform_near_arc(fminf(v, 2.0f - v));
+    float arc = stratiform_near_arc((v <= 1.0f ? v : 2.0f - v));
     return (v <= 1.0f ? arc : 3.14159265f - arc);
 }
 
@@ -343,7 +343,7 @@ static inline float stratiform_phase_angle(float coordinate) {
 
 // Where v is in every row.
 static inline StratiformPlace stratiform_phase_place(float v) {
-    float nearest = sqrtf(stratiform_near_arc(fminf(v, 2.0f - v)) * 0.159154943f);
+    float nearest = sqrtf(stratiform_near_arc((v <= 1.0f ? v : 2.0f - v)) * 0.159154943f);
     float place = (v <= 1.0f ? nearest : 1.0f - nearest) * (float)(STRATIFORM_PHASE_COUNT - 1u);
     uint32_t whole = (uint32_t)place;
     uint32_t cell = (whole < STRATIFORM_PHASE_COUNT - 2u ? whole : STRATIFORM_PHASE_COUNT - 2u);
@@ -387,44 +387,47 @@ static inline float stratiform_phase_squared(float v) {
 
 // v of vector i.
 static inline float stratiform_phase_test_v(uint32_t i) {
-    switch (i) {
-        case 0u: return 0.0f;
-        case 1u: return 1.3707752e-5f;
-        case 2u: return 0.000609173f;
-        case 3u: return 0.06030738f;
-        case 4u: return 1.0f;
-        case 5u: return 1.7880107f;
-        case 6u: return 1.9993908f;
-        default: return 2.0f;
-    }
+    static const float values[8] = {
+        0.0f,
+        1.3707752e-5f,
+        0.000609173f,
+        0.06030738f,
+        1.0f,
+        1.7880107f,
+        1.9993908f,
+        2.0f,
+    };
+    return values[i < 7u ? i : 7u];
 }
 
 // P of the full medium there, in double precision.
 static inline float stratiform_phase_test_full(uint32_t i) {
-    switch (i) {
-        case 0u: return 4123.592f;
-        case 1u: return 3677.43f;
-        case 2u: return 298.98016f;
-        case 3u: return 4.2353334f;
-        case 4u: return 0.036541067f;
-        case 5u: return 0.29459965f;
-        case 6u: return 0.4380044f;
-        default: return 0.66399014f;
-    }
+    static const float values[8] = {
+        4123.592f,
+        3677.43f,
+        298.98016f,
+        4.2353334f,
+        0.036541067f,
+        0.29459965f,
+        0.4380044f,
+        0.66399014f,
+    };
+    return values[i < 7u ? i : 7u];
 }
 
 // P_S convolved with itself there.
 static inline float stratiform_phase_test_squared(uint32_t i) {
-    switch (i) {
-        case 0u: return 7.634122f;
-        case 1u: return 7.5036674f;
-        case 2u: return 6.9622493f;
-        case 3u: return 4.9931493f;
-        case 4u: return 0.27002734f;
-        case 5u: return 0.4179199f;
-        case 6u: return 0.52679676f;
-        default: return 0.52436864f;
-    }
+    static const float values[8] = {
+        7.634122f,
+        7.5036674f,
+        6.9622493f,
+        4.9931493f,
+        0.27002734f,
+        0.4179199f,
+        0.52679676f,
+        0.52436864f,
+    };
+    return values[i < 7u ? i : 7u];
 }
 
 // 1 if value is off by more than 1e-4 of expected, else 0.

@@ -2,7 +2,7 @@
 // Phase functions of the cloud, looked up in a table.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -311,12 +311,12 @@ pub fn stratiform_near_arc(v: f32) -> f32 {
     sum = sum * x + 0.0889789874;
     sum = sum * x - 0.2145988016;
     sum = sum * x + 1.5707963050;
-    v.max(0.0).sqrt() * sum
+    (if v > 0.0 { v } else { 0.0 }).sqrt() * sum
 }
 
 /// acos(1 - v) for v in [0, 2].
 pub fn stratiform_arc(v: f32) -> f32 {
-    let arc: f32 = stratiform_near_arc(v.min(2.0 - v));
+    let arc: f32 = stratiform_near_arc(if v <= 1.0 { v } else { 2.0 - v });
     if v <= 1.0 { arc } else { 3.14159265 - arc }
 }
 
@@ -340,7 +340,7 @@ pub fn stratiform_phase_angle(coordinate: f32) -> f32 {
 
 /// Where v is in every row.
 pub fn stratiform_phase_place(v: f32) -> StratiformPlace {
-    let nearest: f32 = (stratiform_near_arc(v.min(2.0 - v)) * 0.159154943).sqrt();
+    let nearest: f32 = (stratiform_near_arc(if v <= 1.0 { v } else { 2.0 - v }) * 0.159154943).sqrt();
     let place: f32 = (if v <= 1.0 { nearest } else { 1.0 - nearest }) * ((STRATIFORM_PHASE_COUNT - 1) as f32);
     let whole: u32 = place as u32;
     let cell: u32 = if whole < STRATIFORM_PHASE_COUNT - 2 { whole } else { STRATIFORM_PHASE_COUNT - 2 };

@@ -2,7 +2,7 @@
 // Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -18,8 +18,6 @@
 //            three_plus falls below 0 where r_three_plus or t_three_plus does, and is not clamped.
 // Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
 
-// Cosines below this are taken for it: the limit of grazing light.
-const float STRATIFORM_GRAZING = 1e-12;
 // How light that was scattered three times or more leaves a face: evenly in direction as from a thin slab, evenly in
 // radiance, or as from a thick slab.
 const uint STRATIFORM_ISOTROPIC = 0u;
@@ -43,25 +41,29 @@ struct StratiformOrders {
 
 // Light that leaves the lit face, after a way of optical length depth / mu_l + depth / mu_v at most.
 StratiformWeights stratiform_weights_top(float mu_l, float mu_v, float tau) {
-    float sun = max(mu_l, STRATIFORM_GRAZING);
-    float view = max(mu_v, STRATIFORM_GRAZING);
+    float sun = stratiform_leaning(mu_l);
+    float view = stratiform_leaning(mu_v);
     float depth = STRATIFORM_KAPPA_S * tau;
     StratiformBrackets b = stratiform_brackets(depth / sun + depth / view);
     float share = 1.0 / (sun + view);
     return StratiformWeights(share * b.rise, share * b.once_each);
 }
 
-// Light that leaves the other face: ways between the lengths depth / mu_l and depth / mu_v.
-StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
-    float sun = max(mu_l, STRATIFORM_GRAZING);
-    float view = max(mu_v, STRATIFORM_GRAZING);
-    float scale = STRATIFORM_KAPPA_S * tau / sun / view;
-    float shortest = STRATIFORM_KAPPA_S * tau / max(sun, view);
+// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
+StratiformWeights stratiform_weights_through(float mu_l, float mu_v, float depth) {
+    float sun = stratiform_leaning(mu_l);
+    float view = stratiform_leaning(mu_v);
+    float shortest = depth / (sun > view ? sun : view);
     // Nowhere 0: the mean over equal lengths is the limit of this one.
-    float apart = max(abs(sun - view), 1e-9 * sun);
-    StratiformBrackets b = stratiform_brackets(scale * apart);
+    float apart = abs(sun - view) + 1e-9 * sun;
+    StratiformBrackets b = stratiform_brackets(depth * apart / sun / view);
     float share = exp(-shortest) / apart;
     return StratiformWeights(share * b.rise, share * (shortest * b.rise + b.once_each));
+}
+
+// Light that leaves the other face.
+StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
+    return stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
@@ -69,7 +71,7 @@ StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
 // Reflectance factor per flux of light that leaves with one of the three shapes.
 float stratiform_emission(uint shape, float mu_v) {
     if (shape == STRATIFORM_ISOTROPIC) {
-        return 0.5 / max(mu_v, STRATIFORM_GRAZING);
+        return 0.5 / stratiform_leaning(mu_v);
     }
     if (shape == STRATIFORM_LAMBERTIAN) {
         return 1.0;
@@ -83,7 +85,8 @@ StratiformOrders stratiform_orders_top(float mu_l, float mu_v, float v, float ta
     StratiformPlace place = stratiform_phase_place(v);
     float wide = stratiform_phase_modified_at(place, v);
     float squared = stratiform_phase_squared_at(place);
-    float flux = stratiform_r_three_plus(mu_l, tau);
+    StratiformTurned f = stratiform_turned(stratiform_parameters(mu_l), tau);
+    float flux = f.r_ms - f.r_one - f.r_two;
     return StratiformOrders(
         0.25 * wide * w.once, 0.125 * squared * w.twice, flux * stratiform_emission(shape, mu_v)
     );
@@ -118,7 +121,7 @@ float stratiform_radiance_bottom(float mu_l, float mu_v, float v, float tau, uin
 
 // Share of the light from behind that crosses the slab towards mu_v without an event.
 float stratiform_transparency(float mu_v, float tau) {
-    return exp(-(tau / max(mu_v, STRATIFORM_GRAZING)));
+    return exp(-(tau / stratiform_leaning(mu_v)));
 }
 
 // L / F0 in 1/sr of a reflectance factor: times the sun's irradiance normal to its beam it is a radiance.

@@ -2,7 +2,7 @@
 // Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -28,8 +28,6 @@
 #include "stratiform.h"
 #include "stratiform_phase.h"
 
-// Cosines below this are taken for it: the limit of grazing light.
-static const float STRATIFORM_GRAZING = 1e-12f;
 // How light that was scattered three times or more leaves a face: evenly in direction as from a thin slab, evenly in
 // radiance, or as from a thick slab.
 static const uint32_t STRATIFORM_ISOTROPIC = 0u;
@@ -53,8 +51,8 @@ typedef struct StratiformOrders {
 
 // Light that leaves the lit face, after a way of optical length depth / mu_l + depth / mu_v at most.
 static inline StratiformWeights stratiform_weights_top(float mu_l, float mu_v, float tau) {
-    float sun = fmaxf(mu_l, STRATIFORM_GRAZING);
-    float view = fmaxf(mu_v, STRATIFORM_GRAZING);
+    float sun = stratiform_leaning(mu_l);
+    float view = stratiform_leaning(mu_v);
     float depth = STRATIFORM_KAPPA_S * tau;
     StratiformBrackets b = stratiform_brackets(depth / sun + depth / view);
     float share = 1.0f / (sun + view);
@@ -62,18 +60,22 @@ static inline StratiformWeights stratiform_weights_top(float mu_l, float mu_v, f
     return result;
 }
 
-// Light that leaves the other face: ways between the lengths depth / mu_l and depth / mu_v.
-static inline StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
-    float sun = fmaxf(mu_l, STRATIFORM_GRAZING);
-    float view = fmaxf(mu_v, STRATIFORM_GRAZING);
-    float scale = STRATIFORM_KAPPA_S * tau / sun / view;
-    float shortest = STRATIFORM_KAPPA_S * tau / fmaxf(sun, view);
+// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
+static inline StratiformWeights stratiform_weights_through(float mu_l, float mu_v, float depth) {
+    float sun = stratiform_leaning(mu_l);
+    float view = stratiform_leaning(mu_v);
+    float shortest = depth / (sun > view ? sun : view);
     // Nowhere 0: the mean over equal lengths is the limit of this one.
-    float apart = fmaxf(fabsf(sun - view), 1e-9f * sun);
-    StratiformBrackets b = stratiform_brackets(scale * apart);
+    float apart = fabsf(sun - view) + 1e-9f * sun;
+    StratiformBrackets b = stratiform_brackets(depth * apart / sun / view);
     float share = expf(-shortest) / apart;
     StratiformWeights result = {share * b.rise, share * (shortest * b.rise + b.once_each)};
     return result;
+}
+
+// Light that leaves the other face.
+static inline StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
+    return stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
@@ -81,7 +83,7 @@ static inline StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v
 // Reflectance factor per flux of light that leaves with one of the three shapes.
 static inline float stratiform_emission(uint32_t shape, float mu_v) {
     if (shape == STRATIFORM_ISOTROPIC) {
-        return 0.5f / fmaxf(mu_v, STRATIFORM_GRAZING);
+        return 0.5f / stratiform_leaning(mu_v);
     }
     if (shape == STRATIFORM_LAMBERTIAN) {
         return 1.0f;
@@ -97,7 +99,8 @@ static inline StratiformOrders stratiform_orders_top(
     StratiformPlace place = stratiform_phase_place(v);
     float wide = stratiform_phase_modified_at(place, v);
     float squared = stratiform_phase_squared_at(place);
-    float flux = stratiform_r_three_plus(mu_l, tau);
+    StratiformTurned f = stratiform_turned(stratiform_parameters(mu_l), tau);
+    float flux = f.r_ms - f.r_one - f.r_two;
     StratiformOrders result = {
         0.25f * wide * w.once, 0.125f * squared * w.twice, flux * stratiform_emission(shape, mu_v)
     };
@@ -136,7 +139,7 @@ static inline float stratiform_radiance_bottom(float mu_l, float mu_v, float v, 
 
 // Share of the light from behind that crosses the slab towards mu_v without an event.
 static inline float stratiform_transparency(float mu_v, float tau) {
-    return expf(-(tau / fmaxf(mu_v, STRATIFORM_GRAZING)));
+    return expf(-(tau / stratiform_leaning(mu_v)));
 }
 
 // L / F0 in 1/sr of a reflectance factor: times the sun's irradiance normal to its beam it is a radiance.
@@ -156,128 +159,50 @@ typedef struct StratiformSight {
 
 // Vector i; its shape is i % 3.
 static inline StratiformSight stratiform_radiance_test_sight(uint32_t i) {
-    switch (i) {
-        case 0u: {
-            StratiformSight result = {0.8f, 0.6f, 1.5f, 0.5f};
-            return result;
-        }
-        case 1u: {
-            StratiformSight result = {0.8f, 0.8f, 0.009731932f, 2.0f};
-            return result;
-        }
-        case 2u: {
-            StratiformSight result = {0.4f, 0.9f, 0.5f, 30.0f};
-            return result;
-        }
-        case 3u: {
-            StratiformSight result = {0.9f, 0.2f, 1.7880107f, 5.0f};
-            return result;
-        }
-        case 4u: {
-            StratiformSight result = {0.3f, 0.3f, 0.1339746f, 0.01f};
-            return result;
-        }
-        case 5u: {
-            StratiformSight result = {0.1f, 0.7f, 1.9848077f, 0.2f};
-            return result;
-        }
-        case 6u: {
-            StratiformSight result = {0.6f, 0.6f, 0.00015230484f, 1.0f};
-            return result;
-        }
-        case 7u: {
-            StratiformSight result = {1.0f, 1.0f, 2.0f, 10.0f};
-            return result;
-        }
-        default: {
-            StratiformSight result = {0.7f, 0.5f, 0.06030738f, 3.0f};
-            return result;
-        }
-    }
+    static const StratiformSight values[9] = {
+        {0.8f, 0.6f, 1.5f, 0.5f},
+        {0.8f, 0.8f, 0.009731932f, 2.0f},
+        {0.4f, 0.9f, 0.5f, 30.0f},
+        {0.9f, 0.2f, 1.7880107f, 5.0f},
+        {0.3f, 0.3f, 0.1339746f, 0.01f},
+        {0.1f, 0.7f, 1.9848077f, 0.2f},
+        {0.6f, 0.6f, 0.00015230484f, 1.0f},
+        {1.0f, 1.0f, 2.0f, 10.0f},
+        {0.7f, 0.5f, 0.06030738f, 3.0f},
+    };
+    return values[i < 8u ? i : 8u];
 }
 
 // What the model gives for vector i in double precision at the lit face.
 static inline StratiformOrders stratiform_radiance_test_top(uint32_t i) {
-    switch (i) {
-        case 0u: {
-            StratiformOrders result = {0.008012779f, 0.004113148f, 0.0083502615f};
-            return result;
-        }
-        case 1u: {
-            StratiformOrders result = {2.8692431f, 0.36067113f, 0.079427704f};
-            return result;
-        }
-        case 2u: {
-            StratiformOrders result = {0.10006595f, 0.10166462f, 0.81992763f};
-            return result;
-        }
-        case 3u: {
-            StratiformOrders result = {0.122788295f, 0.047490846f, 0.5207195f};
-            return result;
-        }
-        case 4u: {
-            StratiformOrders result = {0.06209362f, 0.00049618713f, 0.0011343521f};
-            return result;
-        }
-        case 5u: {
-            StratiformOrders result = {0.0673647f, 0.029391455f, 0.058696438f};
-            return result;
-        }
-        case 6u: {
-            StratiformOrders result = {0.0f, 0.40930188f, 0.055802595f};
-            return result;
-        }
-        case 7u: {
-            StratiformOrders result = {0.15220927f, 0.03276588f, 0.3558768f};
-            return result;
-        }
-        default: {
-            StratiformOrders result = {1.6122363f, 0.5075184f, 0.14793153f};
-            return result;
-        }
-    }
+    static const StratiformOrders values[9] = {
+        {0.008012779f, 0.004113148f, 0.0083502615f},
+        {2.8692431f, 0.36067113f, 0.079427704f},
+        {0.10006595f, 0.10166462f, 0.81992763f},
+        {0.122788295f, 0.047490846f, 0.5207195f},
+        {0.06209362f, 0.00049618713f, 0.0011343521f},
+        {0.0673647f, 0.029391455f, 0.058696438f},
+        {0.0f, 0.40930188f, 0.055802595f},
+        {0.15220927f, 0.03276588f, 0.3558768f},
+        {1.6122363f, 0.5075184f, 0.14793153f},
+    };
+    return values[i < 8u ? i : 8u];
 }
 
 // At the other face.
 static inline StratiformOrders stratiform_radiance_test_bottom(uint32_t i) {
-    switch (i) {
-        case 0u: {
-            StratiformOrders result = {0.0078096865f, 0.0046015913f, 0.012824214f};
-            return result;
-        }
-        case 1u: {
-            StratiformOrders result = {2.141532f, 0.45358282f, 0.16039747f};
-            return result;
-        }
-        case 2u: {
-            StratiformOrders result = {3.322525e-9f, 6.473105e-8f, 0.2103631f};
-            return result;
-        }
-        case 3u: {
-            StratiformOrders result = {0.009328439f, 0.014536819f, 1.1083244f};
-            return result;
-        }
-        case 4u: {
-            StratiformOrders result = {0.0620902f, 0.0004991841f, 0.0015171667f};
-            return result;
-        }
-        case 5u: {
-            StratiformOrders result = {0.065520294f, 0.031718384f, 0.14571162f};
-            return result;
-        }
-        case 6u: {
-            StratiformOrders result = {0.0f, 0.5023666f, 0.049679887f};
-            return result;
-        }
-        case 7u: {
-            StratiformOrders result = {0.00711155f, 0.008349385f, 0.53927404f};
-            return result;
-        }
-        default: {
-            StratiformOrders result = {0.5697442f, 0.50040984f, 0.26874113f};
-            return result;
-        }
-    }
+    static const StratiformOrders values[9] = {
+        {0.0078096865f, 0.0046015913f, 0.012824214f},
+        {2.141532f, 0.45358282f, 0.16039747f},
+        {3.322525e-9f, 6.473105e-8f, 0.2103631f},
+        {0.009328439f, 0.014536819f, 1.1083244f},
+        {0.0620902f, 0.0004991841f, 0.0015171667f},
+        {0.065520294f, 0.031718384f, 0.14571162f},
+        {0.0f, 0.5023666f, 0.049679887f},
+        {0.00711155f, 0.008349385f, 0.53927404f},
+        {0.5697442f, 0.50040984f, 0.26874113f},
+    };
+    return values[i < 8u ? i : 8u];
 }
 
 // 1 if value is off by more than 1e-4 (0.02 + |expected|), else 0.

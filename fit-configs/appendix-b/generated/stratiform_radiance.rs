@@ -2,7 +2,7 @@
 // Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -23,8 +23,6 @@
 use super::stratiform::*;
 use super::stratiform_phase::*;
 
-/// Cosines below this are taken for it: the limit of grazing light.
-pub const STRATIFORM_GRAZING: f32 = 1e-12;
 /// How light that was scattered three times or more leaves a face: evenly in direction as from a thin slab, evenly in
 /// radiance, or as from a thick slab.
 pub const STRATIFORM_ISOTROPIC: u32 = 0;
@@ -50,25 +48,29 @@ pub struct StratiformOrders {
 
 /// Light that leaves the lit face, after a way of optical length depth / mu_l + depth / mu_v at most.
 pub fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
-    let sun: f32 = mu_l.max(STRATIFORM_GRAZING);
-    let view: f32 = mu_v.max(STRATIFORM_GRAZING);
+    let sun: f32 = stratiform_leaning(mu_l);
+    let view: f32 = stratiform_leaning(mu_v);
     let depth: f32 = STRATIFORM_KAPPA_S * tau;
     let b: StratiformBrackets = stratiform_brackets(depth / sun + depth / view);
     let share: f32 = 1.0 / (sun + view);
     StratiformWeights { once: share * b.rise, twice: share * b.once_each }
 }
 
-/// Light that leaves the other face: ways between the lengths depth / mu_l and depth / mu_v.
-pub fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
-    let sun: f32 = mu_l.max(STRATIFORM_GRAZING);
-    let view: f32 = mu_v.max(STRATIFORM_GRAZING);
-    let scale: f32 = STRATIFORM_KAPPA_S * tau / sun / view;
-    let shortest: f32 = STRATIFORM_KAPPA_S * tau / sun.max(view);
+/// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
+pub fn stratiform_weights_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformWeights {
+    let sun: f32 = stratiform_leaning(mu_l);
+    let view: f32 = stratiform_leaning(mu_v);
+    let shortest: f32 = depth / (if sun > view { sun } else { view });
     // Nowhere 0: the mean over equal lengths is the limit of this one.
-    let apart: f32 = (sun - view).abs().max(1e-9 * sun);
-    let b: StratiformBrackets = stratiform_brackets(scale * apart);
+    let apart: f32 = (sun - view).abs() + 1e-9 * sun;
+    let b: StratiformBrackets = stratiform_brackets(depth * apart / sun / view);
     let share: f32 = (-shortest).exp() / apart;
     StratiformWeights { once: share * b.rise, twice: share * (shortest * b.rise + b.once_each) }
+}
+
+/// Light that leaves the other face.
+pub fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
+    stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau)
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
@@ -76,7 +78,7 @@ pub fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWe
 /// Reflectance factor per flux of light that leaves with one of the three shapes.
 pub fn stratiform_emission(shape: u32, mu_v: f32) -> f32 {
     if shape == STRATIFORM_ISOTROPIC {
-        return 0.5 / mu_v.max(STRATIFORM_GRAZING);
+        return 0.5 / stratiform_leaning(mu_v);
     }
     if shape == STRATIFORM_LAMBERTIAN {
         return 1.0;
@@ -90,7 +92,8 @@ pub fn stratiform_orders_top(mu_l: f32, mu_v: f32, v: f32, tau: f32, shape: u32)
     let place: StratiformPlace = stratiform_phase_place(v);
     let wide: f32 = stratiform_phase_modified_at(place, v);
     let squared: f32 = stratiform_phase_squared_at(place);
-    let flux: f32 = stratiform_r_three_plus(mu_l, tau);
+    let f: StratiformTurned = stratiform_turned(stratiform_parameters(mu_l), tau);
+    let flux: f32 = f.r_ms - f.r_one - f.r_two;
     StratiformOrders {
         one: 0.25 * wide * w.once, two: 0.125 * squared * w.twice,
         three_plus: flux * stratiform_emission(shape, mu_v)
@@ -127,7 +130,7 @@ pub fn stratiform_radiance_bottom(mu_l: f32, mu_v: f32, v: f32, tau: f32, shape:
 
 /// Share of the light from behind that crosses the slab towards mu_v without an event.
 pub fn stratiform_transparency(mu_v: f32, tau: f32) -> f32 {
-    (-(tau / mu_v.max(STRATIFORM_GRAZING))).exp()
+    (-(tau / stratiform_leaning(mu_v))).exp()
 }
 
 /// L / F0 in 1/sr of a reflectance factor: times the sun's irradiance normal to its beam it is a radiance.

@@ -2,7 +2,7 @@
 // Entry point that evaluates stratiform.wgsl over a buffer.
 //
 // Program    stratiform 0.1.0
-// Inputs     d1cef08eb1f6d661f1f5ad0bffceb827
+// Inputs     e89616394915d19b2917f09535a9b91e
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound

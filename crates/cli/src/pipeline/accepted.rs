@@ -13,6 +13,9 @@ use stratiform_codegen::{Files, Inputs, PhaseTables, generate, generate_family};
 pub const FILES: [&str; 5] =
     ["parameters.json", "phase_full.csv", "phase_modified.csv", "phase_squared.csv", "reference.csv"];
 
+/// Beside them, where the medium has a forward peak.
+pub const HALO: &str = "halo.json";
+
 /// Reads `folder`.
 ///
 /// # Errors
@@ -25,6 +28,10 @@ pub fn read(folder: &Path) -> Result<Inputs, CliError> {
             modified: read_csv(&folder.join(FILES[2]))?,
             squared: read_csv(&folder.join(FILES[3]))?,
         },
+        halo: Some(folder.join(HALO))
+            .filter(|path| path.exists())
+            .map(|path| read_json(&path))
+            .transpose()?,
         reference: read_csv(&folder.join(FILES[4]))?,
     })
 }
@@ -92,5 +99,8 @@ pub fn write(folder: &Path, inputs: &Inputs) -> Result<(), CliError> {
     write_csv(&folder.join(FILES[2]), &inputs.phase.modified)?;
     write_csv(&folder.join(FILES[3]), &inputs.phase.squared)?;
     write_csv(&folder.join(FILES[4]), &inputs.reference)?;
+    if let Some(halo) = &inputs.halo {
+        write_json(&folder.join(HALO), halo)?;
+    }
     Ok(())
 }

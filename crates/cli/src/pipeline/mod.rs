@@ -1,5 +1,5 @@
 //! The chain in order: optics, reference, fit, radiance, family, codegen, witness, agreement, ladder, convergence,
-//! principal plane, notes, report. Each stage leaves files and is
+//! angular books, principal plane, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;
@@ -10,6 +10,7 @@ mod curves;
 pub mod export;
 pub mod family;
 pub mod fluxes;
+pub mod halo;
 pub mod hemisphere;
 pub mod ladder;
 mod notes;
@@ -17,7 +18,7 @@ pub mod optics;
 mod principal_plane;
 mod published;
 mod quadrature;
-mod radiance;
+pub mod radiance;
 pub mod reference;
 mod run;
 pub mod solved;

@@ -18,7 +18,7 @@ const METHOD: &str = "discrete ordinates; weighted linear least squares of ln(I 
                       spread that other points would give";
 
 /// The file, which is also put among those to be accepted.
-const FILE: &str = "radiance_parameters.json";
+pub const FILE: &str = "radiance_parameters.json";
 
 /// Provenance of the coefficients.
 pub fn provenance(config: &Config, settings: &RadianceConfig) -> Provenance {

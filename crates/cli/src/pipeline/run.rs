@@ -3,8 +3,8 @@
 use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
-    accepted, agreement, convergence, curves, family, fluxes, input_error, ladder, notes, optics,
-    principal_plane, published, quadrature, radiance, source,
+    accepted, agreement, angular_books, convergence, curves, family, fluxes, halo, input_error, ladder,
+    notes, optics, principal_plane, published, quadrature, radiance, source,
 };
 use crate::CliError;
 use crate::config::{Config, Source};
@@ -122,6 +122,7 @@ impl Chain<'_> {
         self.agreement(work, parameters)?;
         self.ladder(work, parameters)?;
         self.convergence(work, &before)?;
+        work.stage("angular-books", &before, |dir| angular_books::write(config, cloud, parameters, dir))?;
         self.principal_plane(work, parameters)?;
         work.stage("notes", &(&before, provenance, config.published_table), |dir| {
             notes(config, document, cloud, parameters, provenance, dir)
@@ -134,6 +135,7 @@ impl Chain<'_> {
             "ladder",
             "convergence",
             "quadrature",
+            "angular-books",
             "principal-plane",
             "notes",
         ]
@@ -227,6 +229,7 @@ fn codegen(
     let inputs = Inputs {
         parameters: parameters.clone(),
         phase: PhaseTables { full: rows(&cloud.phase), modified: rows(&modified), squared: rows(&squared) },
+        halo: halo::table(&cloud.phase, theta_f)?,
         reference: read_csv(&dir.join("reference.csv"))?,
     };
     let folder = dir.join("accepted");
@@ -239,7 +242,9 @@ fn codegen(
     let files = accepted::emitted(config, &inputs, &folder)?;
     stratiform_codegen::write(&files, &dir.join("generated")).map_err(input_error)?;
     let emitted = files.names().map(|name| format!("generated/{name}"));
-    let kept = accepted::FILES.iter().copied().chain(config.family.iter().map(|_| accepted::FAMILY));
+    let family = config.family.iter().map(|_| accepted::FAMILY);
+    let halo = inputs.halo.iter().map(|_| accepted::HALO);
+    let kept = accepted::FILES.iter().copied().chain(family).chain(halo);
     Ok(kept.map(|name| format!("accepted/{name}")).chain(emitted).collect())
 }
 

@@ -114,8 +114,32 @@ impl Printer<'_> {
         let open = format!("{before}{} {}(", self.kind(&function.result), function.name);
         let head = Broken { open, parts: parameters, joint: ", ", close: after.to_owned() };
         self.lines.push_broken("", &head, "");
-        self.block(&function.body);
+        match function.body.as_slice() {
+            [Statement::Switch { selector, cases }] if self.dialect.c && is_list(cases) => {
+                self.list(&function.result, selector, cases);
+            }
+            body => self.block(body),
+        }
         self.lines.push("}");
+    }
+
+    /// A switch over constants as an array in C: its compilers jump otherwise. The last one stands for what is beyond.
+    fn list(&mut self, kind: &Type, selector: &Expr, cases: &[(Option<String>, Expr)]) {
+        let (kind, count, last) = (self.kind(kind), cases.len(), cases.len() - 1);
+        self.lines.indent();
+        self.lines.push(&format!("static const {kind} values[{count}] = {{"));
+        self.lines.indent();
+        for (_, value) in cases {
+            match self.fields(value) {
+                Some(list) => self.lines.push_broken("", &list, ","),
+                None => self.broken("", value, ","),
+            }
+        }
+        self.lines.outdent();
+        self.lines.push("};");
+        let index = self.expr(selector);
+        self.lines.push(&format!("return values[{index} < {last}u ? {index} : {last}u];"));
+        self.lines.outdent();
     }
 
     fn block(&mut self, statements: &[Statement]) {
@@ -288,5 +312,23 @@ impl Printer<'_> {
             ("u32", [value]) => format!("{}({value})", self.dialect.uint),
             _ => format!("{}({})", self.function_name(name), list.join(", ")),
         }
+    }
+}
+
+/// Whether a switch over 0, 1, … returns constants only.
+fn is_list(cases: &[(Option<String>, Expr)]) -> bool {
+    let in_order = |(i, (label, _)): (usize, &(Option<String>, Expr))| match label {
+        Some(digits) => *digits == i.to_string(),
+        None => i + 1 == cases.len(),
+    };
+    cases.iter().enumerate().all(in_order) && cases.iter().all(|(_, value)| is_constant(value))
+}
+
+fn is_constant(value: &Expr) -> bool {
+    match value {
+        Expr::Number(..) => true,
+        Expr::Unary(_, inner) => is_constant(inner),
+        Expr::Call(name, arguments) => name.starts_with("Stratiform") && arguments.iter().all(is_constant),
+        _ => false,
     }
 }

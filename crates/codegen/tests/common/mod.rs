@@ -3,7 +3,7 @@
 use stratiform_artifact::{
     FittedParameter, MediumRecord, ParameterRow, ParameterTable, ParametersDocument, Provenance, RowIncidence,
 };
-use stratiform_codegen::{Inputs, PhaseRow, PhaseTables};
+use stratiform_codegen::{HaloTable, Inputs, PhaseRow, PhaseTables};
 use stratiform_optics::phase::{HenyeyGreenstein, PhaseFunction};
 use stratiform_quantities::{Asymmetry, ExtinctionConvention};
 use stratiform_stats::Estimate;
@@ -93,6 +93,12 @@ pub fn inputs() -> Inputs {
             optical: table(1.0 / KAPPA),
         },
         phase: PhaseTables { full: phase(0.85), modified: phase(0.7), squared: phase(0.5) },
+        halo: Some(HaloTable {
+            reach: 0.2,
+            longest: 20.0,
+            angles: 8,
+            values: (0..32).map(|i| 900.0 / f64::from(1 + i % 8)).collect(),
+        }),
         reference: Vec::new(),
     }
 }

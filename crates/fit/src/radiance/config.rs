@@ -31,9 +31,9 @@ impl Default for RadianceConfig {
         Self {
             tau_min: 0.1,
             tau_max: 300.0,
-            tau_count: 13,
-            suns: 12,
-            views: 24,
+            tau_count: 12,
+            suns: 24,
+            views: 14,
             up_to_deg: 85.0,
             aureole_deg: 6.0,
             tolerance: 1e-3,

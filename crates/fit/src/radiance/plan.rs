@@ -128,13 +128,13 @@ mod tests {
     fn points_span_their_range_and_are_not_drawn_twice() {
         let config = RadianceConfig::default();
         let [fitted, check] = [Draw::Fitted, Draw::Check].map(|draw| RadiancePlan::new(&config, draw));
-        assert!((fitted.tau[0] / 0.1 - 1.0).abs() < 1e-12 && (fitted.tau[12] / 300.0 - 1.0).abs() < 1e-12);
+        assert!((fitted.tau[0] / 0.1 - 1.0).abs() < 1e-12 && (fitted.tau[11] / 300.0 - 1.0).abs() < 1e-12);
         assert!(check.tau.iter().all(|tau| *tau > 1.0 && *tau < 50.0));
-        assert_eq!([fitted.suns.len(), check.suns.len()], [12, 6]);
+        assert_eq!([fitted.suns.len(), check.suns.len()], [24, 12]);
         let views =
             |plan: &RadiancePlan| plan.suns.iter().flat_map(|sun| sun.views.clone()).collect::<Vec<_>>();
         let (fitted, check) = (views(&fitted), views(&check));
         assert!(check.iter().all(|view| !fitted.contains(view)));
-        assert!(fitted.len() > 2 * 12 * 24 - 10);
+        assert!(fitted.len() > 2 * 24 * 14 - 20);
     }
 }

@@ -116,3 +116,22 @@ pub(crate) fn hg_draine() -> Simple {
         Ok(shaded(card, cloud, (HgDraine::new(&blend), HgDraine::new(&blend))))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Chandrasekhar's closed forms with P = 1, where they lose no digits; equal cosines are their limit τ/(4μ²) e^(-τ/μ).
+    #[test]
+    fn the_factor_is_chandrasekhars() {
+        let (tau, mu_l, mu_v) = (0.8, 0.7, 0.4);
+        let of = |mu_v: f64, side| once(tau, &Sight::new(mu_l, mu_v, 30.0, side).unwrap(), 1.0);
+        let top = (1.0 - libm::exp(-tau / mu_l - tau / mu_v)) / (4.0 * (mu_l + mu_v));
+        let bottom = (libm::exp(-tau / mu_l) - libm::exp(-tau / mu_v)) / (4.0 * (mu_l - mu_v));
+        let equal = tau / (4.0 * mu_l * mu_l) * libm::exp(-tau / mu_l);
+        assert!((of(mu_v, Side::Top) / top - 1.0).abs() < 1e-14);
+        assert!((of(mu_v, Side::Bottom) / bottom - 1.0).abs() < 1e-14);
+        assert!((of(mu_l, Side::Bottom) / equal - 1.0).abs() < 1e-14);
+        assert!((of(mu_l * (1.0 + 1e-9), Side::Bottom) / equal - 1.0).abs() < 1e-8);
+    }
+}

@@ -170,3 +170,68 @@ pub(crate) fn method(closure: Closure) -> Simple {
         }))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CLOSURES: [Closure; 3] = [Closure::Quadrature, Closure::DeltaEddington, Closure::Diffusion];
+
+    /// Meador & Weaver's eq. 24, lossless: R = (γ1 τ + (γ3 - γ1 μ)(1 - e^(-τ/μ)))/(1 + γ1 τ), T = 1 - R.
+    #[test]
+    fn lossless_slabs_are_meador_and_weavers() {
+        for closure in CLOSURES {
+            let slab = TwoStream::<f64>::new(closure, 1.0, 0.85);
+            for (tau, mu) in [(0.3, 0.9), (10.0, 0.5), (100.0, 1.0)] {
+                let t = slab.extinction * tau;
+                let rise = 1.0 - libm::exp(-t / mu);
+                let r =
+                    (slab.gamma1 * t + (slab.upward(mu) - slab.gamma1 * mu) * rise) / (1.0 + slab.gamma1 * t);
+                let (found, through) = slab.fluxes(tau, mu);
+                assert!((found / r - 1.0).abs() < 1e-12, "{closure:?} {tau} {mu}: {found} {r}");
+                assert!((found + through - 1.0).abs() < 1e-13);
+            }
+        }
+    }
+
+    /// Their eqs. 14 and 15 where these divide by nothing small.
+    #[test]
+    fn absorbing_slabs_are_meador_and_weavers() {
+        for closure in CLOSURES {
+            let slab = TwoStream::<f64>::new(closure, 0.9, 0.85);
+            for (tau, mu) in [(1.0, 0.9), (10.0, 0.4)] {
+                let (t, k, w) = (slab.extinction * tau, slab.k, slab.omega);
+                let (g1, g2, g3) = (slab.gamma1, slab.gamma2, slab.upward(mu));
+                let g4 = 1.0 - g3;
+                let (a1, a2) = (g1 * g4 + g2 * g3, g1 * g3 + g2 * g4);
+                let (up, down) = (libm::exp(k * t), libm::exp(-k * t));
+                let whole = (1.0 - k * k * mu * mu) * ((k + g1) * up + (k - g1) * down);
+                let beam = libm::exp(-t / mu);
+                let r = w / whole
+                    * ((1.0 - k * mu) * (a2 + k * g3) * up
+                        - (1.0 + k * mu) * (a2 - k * g3) * down
+                        - 2.0 * k * (g3 - a2 * mu) * beam);
+                let through = beam
+                    * (1.0
+                        - w / whole
+                            * ((1.0 + k * mu) * (a1 + k * g4) * up
+                                - (1.0 - k * mu) * (a1 - k * g4) * down
+                                - 2.0 * k * (g4 + a1 * mu) / beam));
+                let (found_r, found_t) = slab.fluxes(tau, mu);
+                assert!((found_r / r - 1.0).abs() < 1e-9, "{closure:?} R {found_r} {r}");
+                assert!((found_t / through - 1.0).abs() < 1e-9, "{closure:?} T {found_t} {through}");
+            }
+        }
+    }
+
+    /// Where eq. 14 has a pole, k μ = 1, values pass smoothly.
+    #[test]
+    fn the_pole_is_none() {
+        let slab = TwoStream::<f64>::new(Closure::Quadrature, 0.5, 0.85);
+        let mu = 1.0 / slab.k;
+        assert!(mu < 1.0);
+        let [before, at, after] = [mu - 1e-6, mu, mu + 1e-6].map(|mu| slab.fluxes(3.0, mu));
+        assert!((0.5 * (before.0 + after.0) / at.0 - 1.0).abs() < 1e-9);
+        assert!((0.5 * (before.1 + after.1) / at.1 - 1.0).abs() < 1e-9);
+    }
+}

@@ -16,10 +16,11 @@
 //! P_S² is the convolution on the sphere, moments χ_l². [`as_printed`] keeps the paper's own forms.
 //!
 //! * **Media.** I1, I2 and I3+ belong to the modified medium; [`halo`] (I0) to the full one.
-//! * **Accuracy.** Nothing cancels and nothing overflows for x from 0 to 1e4 and μ from 1e-4 to 1, in f32 and f64:
-//!   relative error of the weights below (4 + 2m) ε (m only where light goes through), until they underflow to 0. At μ_l = 0 the limit is taken.
-//! * **What it is worth** against exact radiance: I1 exact in the modified medium; I2 and I3+ as the module of energy
-//!   books in the tests says.
+//! * **Accuracy.** Nothing cancels and nothing overflows for x from 0 to 1e4 and μ from 1e-4 to 1, in f32 and f64: the
+//!   weights' relative error is below (4 + 2m) ε (m only where light goes through), until they underflow to 0. At
+//!   μ_l = 0 the limit is taken.
+//! * **Worth** against exact fluxes of the modified medium, in the paper's cloud from 1 m to 100 m: I1 exact; I2 -5…+8 %
+//!   up to 20°, reflected -40…-11 % and transmitted -24…+3 % at 60°; I3+ as good as the 1-D model's difference.
 
 pub mod as_printed;
 mod emission;

@@ -1,7 +1,7 @@
 //! A figure: title, one legend for all panels, rows of panels.
 
 use super::panel::{Panel, TEXT};
-use super::series::marker;
+use super::series::{OPACITY, marker};
 use super::{Line, Marker, Style, label};
 use maud::{Markup, html};
 
@@ -111,7 +111,9 @@ impl Figure {
 fn draw_entry(entry: &LegendEntry, x: f64, y: f64) -> Markup {
     let style = &entry.style;
     html! {
-        @if style.line != Line::None {
+        @if style.line == Line::Filled {
+            path d=(format!("M{x:.2} {:.2}h28v10h-28z", y - 5.0)) fill=(style.colour) fill-opacity=(OPACITY) {}
+        } @else if style.line != Line::None {
             path d=(format!("M{x:.2} {y:.2}h28")) stroke=(style.colour) stroke-width=(style.width)
                 stroke-dasharray=[style.line.dashes()] {}
         }

@@ -1,4 +1,4 @@
-//! Line charts as SVG text: panels with linear or logarithmic axes, error bars, dashes and markers.
+//! Charts as SVG text: panels with linear, logarithmic or polar axes, lines, areas, error bars, dashes and markers.
 //!
 //! Written here rather than taken from a plotting crate, because a figure of this report is a grid of panels of
 //! unequal width with one legend above them, subscripts in its labels and several dash patterns and markers per
@@ -13,6 +13,7 @@ mod figure;
 mod label;
 mod names;
 mod panel;
+mod polar;
 mod scale;
 mod series;
 mod style;

@@ -3,7 +3,7 @@
 use super::label;
 use super::names::names;
 use super::series::Area;
-use super::{Scale, Series};
+use super::{Scale, Series, polar};
 use maud::{Markup, html};
 
 /// Font size of labels, in units.
@@ -65,13 +65,16 @@ impl Panel {
         let top = if self.title.is_empty() { TOP } else { TOP_WITH_TITLE };
         let (width, height) = (width - LEFT - RIGHT, height - top - BOTTOM);
         let area = Area { x: self.x.scale, y: self.y.scale, width, height };
+        if self.x.scale.is_round() {
+            return polar::draw(self, &area, x + LEFT, y + top);
+        }
         html! {
             g transform=(format!("translate({:.2} {:.2})", x + LEFT, y + top)) {
                 (self.ticks(&area))
                 svg width=(format!("{width:.2}")) height=(format!("{height:.2}")) {
+                    @for series in &self.series { (series.draw(&area)) }
                     @for mark in self.marks.iter().filter(|mark| mark.y.is_none()) { (draw_line(mark, &area)) }
                     @for name in names(&self.marks, &area) { (name.draw()) }
-                    @for series in &self.series { (series.draw(&area)) }
                 }
                 rect width=(format!("{width:.2}")) height=(format!("{height:.2}")) fill="none" stroke="#333" {}
                 (self.labels(&area))

@@ -20,6 +20,8 @@ pub struct Scale {
     step: Option<f64>,
     /// Names of the places 0, 1, …, instead of numbers.
     names: Option<&'static [&'static str]>,
+    /// Whether it goes round the upper half of a circle.
+    round: bool,
 }
 
 /// Free space beyond the data at either end, as a share of the axis.
@@ -52,13 +54,30 @@ impl Scale {
             high: low + (1.0 + MARGIN) * span,
             step: None,
             names: None,
+            round: false,
         }
     }
 
     /// An axis with named places at 0, 1, ….
     pub fn named(names: &'static [&'static str]) -> Self {
         let last = names.len().saturating_sub(1) as f64;
-        Self { logarithmic: false, low: -0.5, high: last + 0.5, step: None, names: Some(names) }
+        Self { logarithmic: false, low: -0.5, high: last + 0.5, step: None, names: Some(names), round: false }
+    }
+
+    /// A linear axis from 0 to `high` exactly; to 1 unless that is finite and positive.
+    pub fn from_zero(high: f64) -> Self {
+        let high = if high.is_finite() && high > 0.0 { high } else { 1.0 };
+        Self { logarithmic: false, low: 0.0, high, step: None, names: None, round: false }
+    }
+
+    /// Zenith angles from -90° to 90° round a half circle, 0 at its top: the panel's ordinate is the radius.
+    pub fn half_circle() -> Self {
+        Self { logarithmic: false, low: -90.0, high: 90.0, step: Some(30.0), names: None, round: true }
+    }
+
+    /// Whether it goes round a half circle.
+    pub fn is_round(&self) -> bool {
+        self.round
     }
 
     /// The same with ticks at multiples of `step` (linear axes).

@@ -1,6 +1,6 @@
 //! Data drawn into a panel: lines, markers, error bars.
 
-use super::{Line, Marker, Scale, Style};
+use super::{Line, Marker, Scale, Style, polar};
 use maud::{Markup, html};
 use std::fmt::Write;
 
@@ -43,12 +43,18 @@ pub struct Area {
     pub height: f64,
 }
 
+/// Of filled polygons.
+pub const OPACITY: f64 = 0.5;
+
 /// Half the size of a marker.
 pub const MARKER: f64 = 3.4;
 
 impl Area {
     /// Place of a datum, y downwards.
     pub fn place(&self, x: f64, y: f64) -> Option<(f64, f64)> {
+        if self.x.is_round() {
+            return polar::place(self, x, y);
+        }
         Some((self.x.position(x)? * self.width, (1.0 - self.y.position(y)?) * self.height))
     }
 }
@@ -58,7 +64,9 @@ impl Series {
     pub fn draw(&self, area: &Area) -> Markup {
         let path = self.path(area);
         html! {
-            @if !path.is_empty() {
+            @if !path.is_empty() && self.style.line == Line::Filled {
+                path d=(path) fill=(self.style.colour) fill-opacity=(OPACITY) {}
+            } @else if !path.is_empty() {
                 path d=(path) fill="none" stroke=(self.style.colour) stroke-width=(self.style.width)
                     stroke-linejoin="round" stroke-dasharray=[self.style.line.dashes()] {}
             }
@@ -85,6 +93,9 @@ impl Series {
                 let _ = write!(path, "{}{x:.1} {y:.1}", if pen_down { 'L' } else { 'M' });
             }
             pen_down = place.is_some();
+        }
+        if self.style.line == Line::Filled && !path.is_empty() {
+            path.push('Z');
         }
         path
     }

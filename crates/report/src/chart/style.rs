@@ -31,13 +31,15 @@ pub enum Line {
     Dotted,
     /// – · –
     DashDot,
+    /// They go round a polygon, which is filled.
+    Filled,
 }
 
 impl Line {
     /// The value of `stroke-dasharray`, for all but solid lines.
     pub fn dashes(self) -> Option<&'static str> {
         match self {
-            Line::None | Line::Solid => None,
+            Line::None | Line::Solid | Line::Filled => None,
             Line::Dashed => Some("7 4"),
             Line::Dotted => Some("2 3"),
             Line::DashDot => Some("8 3 2 3"),
@@ -116,6 +118,11 @@ impl Style {
     /// A line without markers.
     pub const fn line(colour: &'static str, line: Line) -> Self {
         Self { colour, line, width: 1.6, marker: Marker::None }
+    }
+
+    /// A polygon without an outline.
+    pub const fn filled(colour: &'static str) -> Self {
+        Self { colour, line: Line::Filled, width: 0.0, marker: Marker::None }
     }
 
     /// Markers without a line.

@@ -8,6 +8,7 @@ mod misfit;
 mod orders;
 mod parameters;
 mod phase;
+mod principal_plane;
 mod quadrature;
 mod solver_cost;
 
@@ -20,6 +21,7 @@ pub use orders::chosen_angles;
 pub fn all(inputs: &Inputs) -> Vec<Figure> {
     let mut figures = vec![droplets::figure(&inputs.optics), phase::figure(inputs)];
     figures.extend(chosen_angles(&inputs.orders).into_iter().map(|theta| orders::figure(inputs, theta)));
+    figures.extend(inputs.principal_plane.iter().flat_map(|rows| principal_plane::figures(rows)));
     figures.push(parameters::figure(inputs));
     figures.push(misfit::figure(inputs));
     figures.extend(inputs.agreement.as_ref().map(|(document, rows)| agreement::figure(document, rows)));

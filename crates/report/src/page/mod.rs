@@ -1,6 +1,7 @@
 //! The page `report.html`: one file without scripts and without references to other files.
 
 mod agreement;
+mod angular;
 mod appendix;
 mod details;
 mod flags;
@@ -57,6 +58,8 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
                         (drawn(named("agreement")))
                     }
                     section id="orders" { h2 { "Scattering orders" } (drawn(named("orders"))) }
+                    section id="radiance" { h2 { "The energy of the angular model" } (angular::section(inputs.angular_books.as_deref())) }
+                    section id="plane" { h2 { "Radiance in the plane of the sun" } (drawn(named("plane"))) }
                     section id="why" { h2 { @if inputs.published.is_some() { "Why the published table differs" } @else { "The modified medium" } } (why::section(inputs)) }
                     section id="optics" {
                         h2 { "Droplets and phase functions" }
@@ -76,12 +79,14 @@ pub fn render(inputs: &Inputs, figures: &[Figure], left_out: &[LeftOut]) -> Stri
 }
 
 fn contents() -> Markup {
-    const SECTIONS: [(&str, &str); 11] = [
+    const SECTIONS: [(&str, &str); 13] = [
         ("#appendix", "Parameters"),
         ("#misfit", "Misfit"),
         ("#ladder", "Ladder"),
         ("#agreement", "Agreement"),
         ("#orders", "Scattering orders"),
+        ("#radiance", "Radiance"),
+        ("#plane", "Plane of the sun"),
         ("#why", "Medium and reasons"),
         ("#optics", "Optics"),
         ("#convergence", "Convergence"),

@@ -9,7 +9,7 @@
 
 use std::path::Path;
 use stratiform_artifact::*;
-use stratiform_quantities::{ExtinctionConvention, Medium};
+use stratiform_quantities::{ExtinctionConvention, Medium, Order, Side};
 use stratiform_stats::Estimate;
 
 /// θ_l, b, c, κ_c, t, r.
@@ -52,6 +52,9 @@ pub fn write(dir: &Path) {
     write_csv(&dir.join("convergence.csv"), &convergence()).unwrap();
     write_csv(&dir.join("solver_cost.csv"), &solver_cost()).unwrap();
     write_csv(&dir.join("optics/quadrature.csv"), &quadrature()).unwrap();
+    write_csv(&dir.join("angular-books.csv"), &angular_books()).unwrap();
+    create_folder(&dir.join("figures")).unwrap();
+    write_csv(&dir.join("figures/principal-plane.csv"), &principal_plane()).unwrap();
     write_json(&dir.join("parameters.json"), &parameters()).unwrap();
     write_csv(&dir.join("published.csv"), &published()).unwrap();
     write_csv(&dir.join("curves.csv"), &curves()).unwrap();
@@ -391,6 +394,41 @@ pub fn solver_cost() -> Vec<SolverCostRow> {
     rows
 }
 
+pub fn principal_plane() -> Vec<PrincipalPlaneRow> {
+    use PlaneOrder::{Exactly, From, Total};
+    let orders = [Exactly(1), Exactly(2), From(3), Total];
+    let curves = [
+        (PlaneSource::Mc, Medium::Modified, &orders[..]),
+        (PlaneSource::Mc, Medium::Full, &orders[..]),
+        (PlaneSource::Model, Medium::Modified, &orders[..]),
+        (PlaneSource::Solver, Medium::Full, &orders[3..]),
+    ];
+    let mut rows = Vec::new();
+    for (theta_l_deg, thickness_m) in [(70.0, 100.0), (80.0, 5.0)] {
+        for (source, medium, orders) in curves {
+            for (n, order) in orders.iter().enumerate() {
+                for k in -11..=11 {
+                    let theta_v_deg = 8.0 * f64::from(k);
+                    let value = [0.1, 0.15, 0.25, 0.5][(n + 4 - orders.len()).min(3)] + 0.001 * theta_v_deg;
+                    let std_error = (source != PlaneSource::Model).then_some(0.01);
+                    let order = *order;
+                    rows.push(PrincipalPlaneRow {
+                        medium,
+                        theta_l_deg,
+                        thickness_m,
+                        theta_v_deg,
+                        order,
+                        value,
+                        std_error,
+                        source,
+                    });
+                }
+            }
+        }
+    }
+    rows
+}
+
 pub fn quadrature() -> Vec<QuadratureRow> {
     let row = |doublings: u32| {
         let radii = 64_u64 << doublings;
@@ -407,6 +445,27 @@ pub fn quadrature() -> Vec<QuadratureRow> {
         }
     };
     (0..9).map(row).collect()
+}
+
+pub fn angular_books() -> Vec<AngularBooksRow> {
+    let mut rows = Vec::new();
+    for (theta_l_deg, tau) in [0.0, 40.0, 80.0].into_iter().flat_map(|theta| [(theta, 0.05), (theta, 5.0)]) {
+        let row = |side, order, form, integral| AngularBooksRow {
+            theta_l_deg,
+            tau,
+            side,
+            order,
+            form,
+            integral,
+            one_dimensional_model: 0.2,
+            solver: 0.2,
+        };
+        for side in Side::BOTH {
+            rows.push(row(side, Order::Exactly(2), AngularForm::Corrected, 0.21));
+            rows.push(row(side, Order::Exactly(2), AngularForm::AsPrintedPerUnit, 2.0));
+        }
+    }
+    rows
 }
 
 pub fn notes() -> NotesDocument {

@@ -4,7 +4,7 @@
 //!
 //! - **At given directions** ([`trace_radiance`]): each collision sends ωP(Θ)/4π per steradian towards the view, of which
 //!   e^{-s} arrives, s the optical path to the face. Radiance is that power per projected area: the collision adds
-//!   ωP(Θ)/4 · e^{-s}/μ to the reflectance factor (local estimate; Marchuk et al. 1980, ch. 2). Azimuths φ and -φ are
+//!   ωP(Θ)/4 · e^{-s}/μ to the reflectance factor (local estimate; Marchuk et al. 1980). Azimuths φ and -φ are
 //!   equals and are both scored.
 //! - **In angular bins** ([`trace_radiance_bins`]): photons that leave through the bin, in whole numbers k. The
 //!   mean factor over the bin, weighted with μ dμ dφ, is π(k/N)/∫μ dμ dφ, with the error of the proportion k/N.
