@@ -89,7 +89,7 @@ pub struct FamilyPhaseRow {
     pub effective_radius_um: f64,
     /// r_e of the two tables used, µm, separated by a space.
     pub table_radii_um: String,
-    /// What is linear in ln r_e: `P`, `log P`, `log P stretched`, or `texels`, log P of the family's texels.
+    /// What is linear in ln r_e: `P`, `log P`, `log P stretched`, or `texels`, P of the family's texels.
     pub method: String,
     /// `full` for P, `squared` for P_S convolved with itself.
     pub function: String,

@@ -102,6 +102,40 @@ fn damaged_phase_files() {
 }
 
 #[test]
+fn families_without_order_or_sense_are_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let law = "distribution = \"modified-gamma\"\neffective_radius_um = 7.0\ngamma = 2.0";
+    let table = "distribution = \"tabulated\"\nfile = \"sizes.csv\"";
+    fs::write(dir.path().join("sizes.csv"), "radius_um,number\n1,1\n2,1\n").unwrap();
+    let cases: &[(&str, &str, &str, &[&str])] = &[
+        ("[]", law, law, &["has 0 radii", "at least 2"]),
+        ("[7.0]", law, law, &["has 1 radii"]),
+        ("[7.0, 4.0]", law, law, &["effective_radius_um = 4 is outside (7, 50]"]),
+        ("[7.0, 7.0]", law, law, &["= 7 is outside (7, 50]"]),
+        ("[0.5, 7.0]", law, law, &["= 0.5 is outside [1, 50]"]),
+        ("[4.0, 51.0]", law, law, &["= 51 is outside (4, 50]"]),
+        ("[4.0, nan]", law, law, &["finite"]),
+        ("[4.0, 7.0]", law, table, &["tabulated"]),
+        (
+            "[4.0, 7.0]",
+            "source = \"solve\"",
+            "source = \"trace\"\nphotons_between = 10",
+            &["needs transport.source"],
+        ),
+    ];
+    for (radii, from, to, says) in cases {
+        let text = config(&[(from, to)])
+            .replace("\n[codegen]", &format!("\n[family]\neffective_radius_um = {radii}\n\n[codegen]"));
+        let line = 1 + text[..text.find("[family]").unwrap()].matches('\n').count();
+        fs::write(dir.path().join("c.toml"), &text).unwrap();
+        let place = format!("c.toml:{}", line + 1);
+        let output = run(dir.path(), &["fit", "c.toml", "--out", "out"]);
+        refused(radii, &output, &[&[place.as_str()], *says].concat());
+        assert!(!dir.path().join("out").exists());
+    }
+}
+
+#[test]
 fn configs_with_a_fault_name_file_and_line() {
     let dir = tempfile::tempdir().unwrap();
     let faults: &[(&str, &str, &[&str])] = &[

@@ -26,6 +26,18 @@ pub enum CodegenError {
         /// What naga says.
         message: String,
     },
+    /// A family's phase function of the wrong length.
+    #[error(
+        "the phase functions of effective radius {effective_radius_um} um have {got} values, not {expected}"
+    )]
+    FamilyTexels {
+        /// The radius.
+        effective_radius_um: f64,
+        /// How many there are.
+        got: usize,
+        /// How many there must be.
+        expected: usize,
+    },
     /// A family's table whose angles are not those of the fluxes' table.
     #[error(
         "the table of effective radius {effective_radius_um} um has other angles than the table of fluxes"

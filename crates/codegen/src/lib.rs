@@ -47,6 +47,7 @@ pub use files::Files;
 pub use inputs::{HaloTable, Inputs, PhaseRow, PhaseTables, QUANTITIES, ReferencePoint};
 pub use language::{SubsetError, Target};
 pub use node_error::leave_one_out;
+pub use phase::COUNT as PHASE_TEXELS;
 pub use radiance_test::RadianceVector;
 pub use self_test::{SelfTest, SelfTestVector, self_test_module};
 pub use stale::{REGENERATE, Stale, check, left_over, write};
@@ -66,7 +67,7 @@ pub fn generate(inputs: &Inputs, targets: &[Target]) -> Result<Files, CodegenErr
         files.push(("halo.json".to_owned(), stratiform_artifact::to_json(halo)?.into_bytes()));
     }
     files.push(("radiance_test.csv".to_owned(), radiance_test::document(inputs)?.into_bytes()));
-    let (fluxes, phase) = (shader::library(inputs)?, phase_library::library(inputs));
+    let (fluxes, phase) = (shader::library(inputs)?, phase_library::library(inputs, &[]));
     let radiance = radiance_library::library(inputs, &fluxes, &phase)?;
     let needs = vec![&fluxes, &phase, &radiance];
     let halo = inputs.halo.as_ref().map(|table| halo_library::library(inputs, table, needs)).transpose()?;

@@ -6,7 +6,7 @@ use stratiform_artifact::to_csv;
 use stratiform_quantities::angle_map::angle_deg;
 
 /// Values of each function on the warped grid.
-pub(crate) const COUNT: usize = 1024;
+pub const COUNT: usize = 1024;
 
 #[derive(Serialize)]
 pub(crate) struct WarpedRow {

@@ -13,7 +13,8 @@ use stratiform_quantities::angle_map::place;
 const TESTED_DEG: [f64; 8] = [0.0, 0.3, 2.0, 20.0, 90.0, 142.0, 178.0, 180.0];
 
 /// The library, which carries the table where the language has no trouble with long constant arrays.
-pub(crate) fn library(inputs: &Inputs) -> Library<'static> {
+/// `more` are rows below the two of the cloud itself, each of [`COUNT`] values.
+pub(crate) fn library(inputs: &Inputs, more: &[Vec<f64>]) -> Library<'static> {
     let (p, squared): (Vec<_>, Vec<_>) = warped(inputs).iter().map(|row| (row.p, row.p_squared)).unzip();
     let medium = &inputs.parameters.medium;
     let tested = |value: &dyn Fn(f64) -> f64| {
@@ -40,7 +41,7 @@ pub(crate) fn library(inputs: &Inputs) -> Library<'static> {
         ),
         binding: 0,
         columns: COUNT,
-        values: p.iter().chain(&squared).map(|value| literal(*value)).collect(),
+        values: p.iter().chain(&squared).chain(more.iter().flatten()).map(|value| literal(*value)).collect(),
     };
     let text = Box::new(move |target| table.access(target));
     let glue = Some(Glue { function: "stratiform_phase_texel", text });

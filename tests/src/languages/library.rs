@@ -58,6 +58,19 @@ pub static RADIANCE: Library = Library {
     needs: &["stratiform", "stratiform_phase", "stratiform_radiance"],
 };
 
+/// Fluxes over effective radius: (μ_l, r_e, τ), μ_l = -1 for diffuse light, to nine fluxes.
+pub static FAMILY: Library = Library {
+    name: "stratiform_family",
+    c: include_str!("drivers/family/driver.c"),
+    rust: include_str!("drivers/family/driver.rs"),
+    glsl: include_str!("drivers/family/driver.glsl"),
+    fragment: include_str!("drivers/family/fragment.glsl"),
+    hlsl: include_str!("drivers/family/driver.hlsl"),
+    wgsl: include_str!("drivers/family/driver.wgsl"),
+    sizes: [3, 9],
+    needs: &["stratiform"],
+};
+
 /// A library and what its driver is run on.
 pub struct Run<'a> {
     /// Which.

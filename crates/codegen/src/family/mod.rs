@@ -4,11 +4,14 @@
 //! | --- | --- |
 //! | `stratiform_family.*` | the one-dimensional model over (μ_l, r_e, τ), with tables and self-test |
 //! | `family_test.csv` | inputs for it and the f64 model's outputs |
+//! | `stratiform_phase.*` | as of one cloud, with rows for every radius below |
+//! | `stratiform_family_phase.*` | look-up of the phase functions over (Θ, r_e) |
 //! | `family_phase.csv` | P and P_S convolved with itself: a row per angle of the angle map, function and radius |
 //!
-//! P at another radius is interpolated linearly in ln P and ln r_e ([`PhaseFamily`](stratiform_model::family::PhaseFamily)).
+//! P at another radius is interpolated linearly in P and ln r_e ([`PhaseFamily`](stratiform_model::family::PhaseFamily)).
 
 mod library;
+mod phase_library;
 mod tables;
 mod vectors;
 
@@ -42,13 +45,16 @@ pub fn generate_family(
 ) -> Result<Files, CodegenError> {
     inputs.check()?;
     let fluxes = shader::library(inputs)?;
-    let library = library::library(inputs, family, &fluxes)?;
+    let over_radius = library::library(inputs, family, &fluxes)?;
+    let phase = crate::phase_library::library(inputs, &phase_library::rows(family)?);
+    let phase_over_radius = phase_library::library(inputs, family, &phase)?;
     let mut files = vec![
         ("family_test.csv".to_owned(), to_csv(&vectors::vectors(family)?)?),
         ("family_phase.csv".to_owned(), to_csv(&phase_rows(family))?),
     ];
-    for target in targets {
-        if let (Some(text), Some(extension)) = (translate(&library, *target)?, target.extension()) {
+    let libraries = [&over_radius, &phase, &phase_over_radius];
+    for (library, target) in libraries.iter().flat_map(|library| targets.iter().map(move |t| (library, *t))) {
+        if let (Some(text), Some(extension)) = (translate(library, target)?, target.extension()) {
             files.push((format!("{}.{extension}", library.name), text));
         }
     }

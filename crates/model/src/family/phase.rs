@@ -1,6 +1,6 @@
-//! Phase functions over (Θ, r_e): ln P at equal steps of the angle map, linear in its coordinate and in ln r_e.
+//! Phase functions over (Θ, r_e): P at equal steps of the angle map, linear in its coordinate and in ln r_e.
 //!
-//! ln P, because between two radii P changes by factors: by the square of the radius at the peak. Where glory and fogbow
+//! P itself, not ln P: a mean of two functions of mean 1 has mean 1, and texture filters do the same. Where glory and fogbow
 //! stand changes with r_e too, but in a cloud of many sizes they are wider than they move between neighbouring radii.
 
 use super::check_radii;
@@ -8,14 +8,14 @@ use crate::{ModelError, Real};
 use stratiform_quantities::{DomainError, Range};
 
 /// P that a family may hold.
-const PHASE: Range = Range { min_included: false, ..Range::closed(0.0, 1e12) };
+const PHASE: Range = Range::closed(0.0, 1e12);
 
 /// P at one effective radius.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhaseMember {
     /// r_e, µm.
     pub effective_radius_um: f64,
-    /// P > 0 at equal steps of the angle map's coordinate, from 0 to 1.
+    /// P at equal steps of the angle map's coordinate, from 0 to 1.
     pub values: Vec<f64>,
 }
 
@@ -24,7 +24,7 @@ pub struct PhaseMember {
 struct Row<F> {
     radius: F,
     place: F,
-    logarithms: Vec<F>,
+    values: Vec<F>,
 }
 
 /// P for every Θ and every r_e between the first and the last.
@@ -44,10 +44,10 @@ impl<F: Real> PhaseFamily<F> {
         let row = |member: &PhaseMember| -> Result<Row<F>, ModelError> {
             let count = member.values.len() as f64;
             Range::closed(texels, texels).check("number of values of a phase function", count)?;
-            let logarithm = |p: &f64| PHASE.check("p", *p).map(|p| F::of(libm::log(p)));
-            let logarithms = member.values.iter().map(logarithm).collect::<Result<_, DomainError>>()?;
+            let checked = |p: &f64| PHASE.check("p", *p).map(F::of);
+            let values = member.values.iter().map(checked).collect::<Result<_, DomainError>>()?;
             let radius = F::of(member.effective_radius_um);
-            Ok(Row { radius, place: radius.ln(), logarithms })
+            Ok(Row { radius, place: radius.ln(), values })
         };
         Ok(Self { rows: members.iter().map(row).collect::<Result<_, _>>()? })
     }
@@ -64,14 +64,14 @@ impl<F: Real> PhaseFamily<F> {
         let i = self.rows[1..self.rows.len() - 1].iter().filter(|row| radius > row.radius).count();
         let (a, b) = (&self.rows[i], &self.rows[i + 1]);
         let weight = (radius.ln() - a.place) / (b.place - a.place);
-        let place = coordinate * F::of((a.logarithms.len() - 1) as f64);
-        let cell = (place.to_f64() as usize).min(a.logarithms.len() - 2);
+        let place = coordinate * F::of((a.values.len() - 1) as f64);
+        let cell = (place.to_f64() as usize).min(a.values.len() - 2);
         let share = place - F::of(cell as f64);
         let of = |row: &Row<F>| {
-            let (left, right) = (row.logarithms[cell], row.logarithms[cell + 1]);
+            let (left, right) = (row.values[cell], row.values[cell + 1]);
             left + (right - left) * share
         };
         let (from, to) = (of(a), of(b));
-        Ok((from + (to - from) * weight).exp())
+        Ok(from + (to - from) * weight)
     }
 }

@@ -1,5 +1,9 @@
 //! `family-interpolation.csv`: at radii half-way between, tables interpolated in every coordinate; and the same from every
 //! second table, and from the first and the last alone, at the radii left out.
+//!
+//! Found for 4 to 20 µm (fit-configs/family.toml), worst error up to 80° in T_ms against the fit at the radius itself: 1.2e-4
+//! with six tables, 3.3e-4 with three, 1.4e-3 with the first and the last alone, all in r^(-2/3); in ln r five times as much.
+//! The fit itself is off by 1.4e-2: two tables are enough for the parameters, six are for the phase functions.
 
 use super::errors::{family, fluxes, from_table, rows as error_rows};
 use super::member::Computed;
