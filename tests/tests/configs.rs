@@ -42,6 +42,7 @@ fn accepted_parameters_belong_to_their_config() {
 fn above(name: &str) -> &'static [&'static str] {
     match name {
         "stratiform_radiance.wgsl" => &["stratiform.wgsl", "stratiform_phase.wgsl"],
+        "stratiform_halo.wgsl" => &["stratiform.wgsl", "stratiform_phase.wgsl", "stratiform_radiance.wgsl"],
         "stratiform_family.wgsl" => &["stratiform.wgsl"],
         "stratiform_family_phase.wgsl" => &["stratiform_phase.wgsl"],
         _ => &[],

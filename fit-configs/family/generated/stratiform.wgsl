@@ -2,7 +2,7 @@
 // Fluxes of a stratiform layer: the one-dimensional model of Bouthors et al. 2006.
 //
 // Program    stratiform 0.1.0
-// Inputs     7a389f475e834818a7404b9c1e33daa9
+// Inputs     6f673c37a9045371e6b41c301049e20a
 // Config     da4e6b4bee99acbd14c2fbfd83d1a129
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -97,6 +97,9 @@ const STRATIFORM_EXTINCTION_PER_M: f32 = 0.04618141;
 fn stratiform_tau_from_metres_paper(thickness_m: f32) -> f32 {
     return STRATIFORM_EXTINCTION_PER_M * thickness_m;
 }
+
+// Cosines below this are taken for it: the limit of grazing light.
+const STRATIFORM_GRAZING: f32 = 1e-12;
 
 // ---- parameters ----------------------------------------------------------------------------------------------
 
@@ -269,12 +272,20 @@ struct StratiformFluxes {
     r_three_plus: f32,
 }
 
-// All fluxes for given parameters, t_zero the unscattered and extinguished the remaining share.
-fn stratiform_fluxes(p: StratiformParameters, t_zero: f32, extinguished: f32, tau: f32) -> StratiformFluxes {
-    let onset = stratiform_rise(p.c * tau);
+// Fluxes that do not depend on how much light is unscattered.
+struct StratiformTurned {
+    t_ms: f32,
+    r_ms: f32,
+    t_one: f32,
+    t_two: f32,
+    r_one: f32,
+    r_two: f32,
+}
+
+// These, for given parameters.
+fn stratiform_turned(p: StratiformParameters, tau: f32) -> StratiformTurned {
+    let onset = (1.0 - p.b) * stratiform_rise(p.c * tau);
     let denominator = 1.0 + STRATIFORM_SLOPE * tau;
-    let t_ms = (1.0 - (1.0 - p.b) * onset) / denominator;
-    let r_ms = (STRATIFORM_SLOPE * tau + (1.0 - p.b) * onset) / denominator;
     let x = p.kappa_c * tau;
     let k = stratiform_brackets(x);
     // Those of 2 x.
@@ -282,26 +293,35 @@ fn stratiform_fluxes(p: StratiformParameters, t_zero: f32, extinguished: f32, ta
     let twice_back = 2.0 * k.twice_back + k.rise * k.rise;
     let once_each = k.rise * k.rise + 2.0 * k.decay * k.once_each;
     let t_one = p.t * x * k.decay;
-    let r_one = 0.5 * p.r * rise;
-    let t_two = 0.5 * (p.t * x) * t_one + 0.25 * p.r * p.r * (k.decay * twice_back);
-    let r_two = 0.5 * p.r * p.t * once_each;
-    let scattered = select(t_ms - t_zero, extinguished - r_ms, r_ms < 0.5);
-    return StratiformFluxes(
-        t_ms, r_ms, t_zero, t_one, t_two, scattered - t_one - t_two, r_one, r_two, r_ms - r_one - r_two,
+    return StratiformTurned(
+        (1.0 - onset) / denominator,
+        (STRATIFORM_SLOPE * tau + onset) / denominator,
+        t_one,
+        0.5 * (p.t * x) * t_one + 0.25 * p.r * p.r * (k.decay * twice_back),
+        0.5 * p.r * rise,
+        0.5 * p.r * p.t * once_each,
     );
+}
+
+// All fluxes for given parameters, t_zero the unscattered and extinguished the remaining share.
+fn stratiform_fluxes(p: StratiformParameters, t_zero: f32, extinguished: f32, tau: f32) -> StratiformFluxes {
+    let f = stratiform_turned(p, tau);
+    let scattered = select(f.t_ms - t_zero, extinguished - f.r_ms, f.r_ms < 0.5);
+    return StratiformFluxes(
+        f.t_ms, f.r_ms, t_zero, f.t_one, f.t_two, scattered - f.t_one - f.t_two,
+        f.r_one, f.r_two, f.r_ms - f.r_one - f.r_two,
+    );
+}
+
+// A cosine that is not 0.
+fn stratiform_leaning(mu: f32) -> f32 {
+    return select(STRATIFORM_GRAZING, mu, mu > STRATIFORM_GRAZING);
 }
 
 // A beam at mu_l in [0, 1] on optical thickness tau in [0, 1e6].
 fn stratiform_beam(mu_l: f32, tau: f32) -> StratiformFluxes {
-    let depth = STRATIFORM_KAPPA_S * tau;
-    var t_zero = select(1.0, 0.0, tau > 0.0);
-    var extinguished = 1.0 - t_zero;
-    if (mu_l > 0.0) {
-        let k = stratiform_brackets(depth / mu_l);
-        t_zero = k.decay;
-        extinguished = k.rise;
-    }
-    return stratiform_fluxes(stratiform_parameters(mu_l), t_zero, extinguished, tau);
+    let k = stratiform_brackets(STRATIFORM_KAPPA_S * tau / stratiform_leaning(mu_l));
+    return stratiform_fluxes(stratiform_parameters(mu_l), k.decay, k.rise, tau);
 }
 
 // Uniform light from the whole upper hemisphere on optical thickness tau in [0, 1e6].

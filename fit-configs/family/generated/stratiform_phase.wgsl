@@ -2,7 +2,7 @@
 // Phase functions of the cloud, looked up in a table.
 //
 // Program    stratiform 0.1.0
-// Inputs     7a389f475e834818a7404b9c1e33daa9
+// Inputs     6f673c37a9045371e6b41c301049e20a
 // Config     da4e6b4bee99acbd14c2fbfd83d1a129
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -51,12 +51,12 @@ fn stratiform_near_arc(v: f32) -> f32 {
     sum = sum * x + 0.0889789874;
     sum = sum * x - 0.2145988016;
     sum = sum * x + 1.5707963050;
-    return sqrt(max(v, 0.0)) * sum;
+    return sqrt(select(0.0, v, v > 0.0)) * sum;
 }
 
 // acos(1 - v) for v in [0, 2].
 fn stratiform_arc(v: f32) -> f32 {
-    let arc = stratiform_near_arc(min(v, 2.0 - v));
+    let arc = stratiform_near_arc(select(2.0 - v, v, v <= 1.0));
     return select(3.14159265 - arc, arc, v <= 1.0);
 }
 
@@ -80,7 +80,7 @@ fn stratiform_phase_angle(coordinate: f32) -> f32 {
 
 // Where v is in every row.
 fn stratiform_phase_place(v: f32) -> StratiformPlace {
-    let nearest = sqrt(stratiform_near_arc(min(v, 2.0 - v)) * 0.159154943);
+    let nearest = sqrt(stratiform_near_arc(select(2.0 - v, v, v <= 1.0)) * 0.159154943);
     let place = select(1.0 - nearest, nearest, v <= 1.0) * f32(STRATIFORM_PHASE_COUNT - 1u);
     let whole = u32(place);
     let cell = select(STRATIFORM_PHASE_COUNT - 2u, whole, whole < STRATIFORM_PHASE_COUNT - 2u);

@@ -2,7 +2,7 @@
 // Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.
 //
 // Program    stratiform 0.1.0
-// Inputs     7a389f475e834818a7404b9c1e33daa9
+// Inputs     6f673c37a9045371e6b41c301049e20a
 // Config     da4e6b4bee99acbd14c2fbfd83d1a129
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -18,8 +18,6 @@
 //            three_plus falls below 0 where r_three_plus or t_three_plus does, and is not clamped.
 // Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
 
-// Cosines below this are taken for it: the limit of grazing light.
-const STRATIFORM_GRAZING: f32 = 1e-12;
 // How light that was scattered three times or more leaves a face: evenly in direction as from a thin slab, evenly in
 // radiance, or as from a thick slab.
 const STRATIFORM_ISOTROPIC: u32 = 0u;
@@ -43,25 +41,29 @@ struct StratiformOrders {
 
 // Light that leaves the lit face, after a way of optical length depth / mu_l + depth / mu_v at most.
 fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
-    let sun = max(mu_l, STRATIFORM_GRAZING);
-    let view = max(mu_v, STRATIFORM_GRAZING);
+    let sun = stratiform_leaning(mu_l);
+    let view = stratiform_leaning(mu_v);
     let depth = STRATIFORM_KAPPA_S * tau;
     let b = stratiform_brackets(depth / sun + depth / view);
     let share = 1.0 / (sun + view);
     return StratiformWeights(share * b.rise, share * b.once_each);
 }
 
-// Light that leaves the other face: ways between the lengths depth / mu_l and depth / mu_v.
-fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
-    let sun = max(mu_l, STRATIFORM_GRAZING);
-    let view = max(mu_v, STRATIFORM_GRAZING);
-    let scale = STRATIFORM_KAPPA_S * tau / sun / view;
-    let shortest = STRATIFORM_KAPPA_S * tau / max(sun, view);
+// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
+fn stratiform_weights_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformWeights {
+    let sun = stratiform_leaning(mu_l);
+    let view = stratiform_leaning(mu_v);
+    let shortest = depth / select(view, sun, sun > view);
     // Nowhere 0: the mean over equal lengths is the limit of this one.
-    let apart = max(abs(sun - view), 1e-9 * sun);
-    let b = stratiform_brackets(scale * apart);
+    let apart = abs(sun - view) + 1e-9 * sun;
+    let b = stratiform_brackets(depth * apart / sun / view);
     let share = exp(-shortest) / apart;
     return StratiformWeights(share * b.rise, share * (shortest * b.rise + b.once_each));
+}
+
+// Light that leaves the other face.
+fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
+    return stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
@@ -69,7 +71,7 @@ fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeight
 // Reflectance factor per flux of light that leaves with one of the three shapes.
 fn stratiform_emission(shape: u32, mu_v: f32) -> f32 {
     if (shape == STRATIFORM_ISOTROPIC) {
-        return 0.5 / max(mu_v, STRATIFORM_GRAZING);
+        return 0.5 / stratiform_leaning(mu_v);
     }
     if (shape == STRATIFORM_LAMBERTIAN) {
         return 1.0;
@@ -83,7 +85,8 @@ fn stratiform_orders_top(mu_l: f32, mu_v: f32, v: f32, tau: f32, shape: u32) -> 
     let place = stratiform_phase_place(v);
     let wide = stratiform_phase_modified_at(place, v);
     let squared = stratiform_phase_squared_at(place);
-    let flux = stratiform_r_three_plus(mu_l, tau);
+    let f = stratiform_turned(stratiform_parameters(mu_l), tau);
+    let flux = f.r_ms - f.r_one - f.r_two;
     return StratiformOrders(
         0.25 * wide * w.once,
         0.125 * squared * w.twice,
@@ -122,7 +125,7 @@ fn stratiform_radiance_bottom(mu_l: f32, mu_v: f32, v: f32, tau: f32, shape: u32
 
 // Share of the light from behind that crosses the slab towards mu_v without an event.
 fn stratiform_transparency(mu_v: f32, tau: f32) -> f32 {
-    return exp(-(tau / max(mu_v, STRATIFORM_GRAZING)));
+    return exp(-(tau / stratiform_leaning(mu_v)));
 }
 
 // L / F0 in 1/sr of a reflectance factor: times the sun's irradiance normal to its beam it is a radiance.
