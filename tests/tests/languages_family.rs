@@ -68,7 +68,7 @@ fn planted(text: &str) -> String {
 fn reproduces_the_model(ending: &str) {
     let Family { emitted, input, test, .. } = family();
     let beside = emitted.beside(&FAMILY, ending);
-    let run = Run { library: &FAMILY, tables: None, input, beside: &beside };
+    let run = Run { library: &FAMILY, tables: &[], input, beside: &beside };
     let text = emitted.text(&format!("stratiform_family.{ending}"));
     for way in ways(ending) {
         let Some(output) = way.execute(&run, &text) else { continue };
@@ -117,7 +117,7 @@ fn older_glsl_compiles() {
     for (ending, version) in [("330.glsl", "330"), ("300es.glsl", "300 es")] {
         let emitted = &family().emitted;
         let beside = emitted.beside(&FAMILY, ending);
-        let run = Run { library: &FAMILY, tables: None, input: &[], beside: &beside };
+        let run = Run { library: &FAMILY, tables: &[], input: &[], beside: &beside };
         let text = run.pasted(&emitted.text(&format!("stratiform_family.{ending}")));
         available(shaders::glsl_fragment(version, &FAMILY, &text), &[]);
     }

@@ -61,7 +61,7 @@ fn stratiform_halo_once(mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
     if (v >= STRATIFORM_WIDE_EDGE) {
         return 0.0;
     }
-    let w = stratiform_weights_through(mu_l, mu_v, tau);
+    let w = stratiform_through(mu_l, mu_v, tau);
     return 0.25 * stratiform_phase(v) * w.once;
 }
 

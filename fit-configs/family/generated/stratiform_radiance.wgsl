@@ -30,11 +30,26 @@ struct StratiformWeights {
     twice: f32,
 }
 
+// The same of light that goes through a slab, and exp(-depth / mu_l), the share that comes straight through.
+struct StratiformThrough {
+    once: f32,
+    twice: f32,
+    straight: f32,
+}
+
 // Reflectance factors pi L / (mu_l F0) of light that was scattered once, twice, and more often.
 struct StratiformOrders {
     one: f32,
     two: f32,
     three_plus: f32,
+}
+
+// Where a vector of a self-test looks.
+struct StratiformSight {
+    mu_l: f32,
+    mu_v: f32,
+    v: f32,
+    tau: f32,
 }
 
 // ---- weights of one and two scatterings ------------------------------------------------------------------------
@@ -50,20 +65,23 @@ fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
 }
 
 // Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
-fn stratiform_weights_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformWeights {
+fn stratiform_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformThrough {
     let sun = stratiform_leaning(mu_l);
     let view = stratiform_leaning(mu_v);
     let shortest = depth / select(view, sun, sun > view);
     // Nowhere 0: the mean over equal lengths is the limit of this one.
     let apart = abs(sun - view) + 1e-9 * sun;
     let b = stratiform_brackets(depth * apart / sun / view);
-    let share = exp(-shortest) / apart;
-    return StratiformWeights(share * b.rise, share * (shortest * b.rise + b.once_each));
+    let decay = exp(-shortest);
+    let share = decay / apart;
+    let straight = select(decay * b.decay, decay, sun > view);
+    return StratiformThrough(share * b.rise, share * (shortest * b.rise + b.once_each), straight);
 }
 
 // Light that leaves the other face.
 fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
-    return stratiform_weights_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
+    let w = stratiform_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
+    return StratiformWeights(w.once, w.twice);
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
@@ -96,11 +114,17 @@ fn stratiform_orders_top(mu_l: f32, mu_v: f32, v: f32, tau: f32, shape: u32) -> 
 
 // The orders of light that leaves the other face at mu_v, v = 1 - cosTheta.
 fn stratiform_orders_bottom(mu_l: f32, mu_v: f32, v: f32, tau: f32, shape: u32) -> StratiformOrders {
-    let w = stratiform_weights_bottom(mu_l, mu_v, tau);
+    let depth = STRATIFORM_KAPPA_S * tau;
+    let w = stratiform_through(mu_l, mu_v, depth);
     let place = stratiform_phase_place(v);
     let wide = stratiform_phase_modified_at(place, v);
     let squared = stratiform_phase_squared_at(place);
-    let flux = stratiform_t_three_plus(mu_l, tau);
+    let f = stratiform_turned(stratiform_parameters(mu_l), tau);
+    var scattered = f.t_ms - w.straight;
+    if (f.r_ms < 0.5) {
+        scattered = stratiform_rise(depth / stratiform_leaning(mu_l)) - f.r_ms;
+    }
+    let flux = scattered - f.t_one - f.t_two;
     return StratiformOrders(
         0.25 * wide * w.once,
         0.125 * squared * w.twice,
@@ -134,14 +158,6 @@ fn stratiform_radiance_from_factor(factor: f32, mu_l: f32) -> f32 {
 }
 
 // ---- self-test ---------------------------------------------------------------------------------------------------
-
-// Where vector i looks.
-struct StratiformSight {
-    mu_l: f32,
-    mu_v: f32,
-    v: f32,
-    tau: f32,
-}
 
 // Vector i; its shape is i % 3.
 fn stratiform_radiance_test_sight(i: u32) -> StratiformSight {
