@@ -5,7 +5,8 @@
 
 use rand::Rng;
 use stratiform_advise::{Advice, Ask, Budget, Candidate, Channels, Data, advise, candidates, percentile, window};
-use stratiform_methods::{Cloud, MethodError, Point, by_name};
+use stratiform_chart::errors::{ErrorsError, Listed, listed};
+use stratiform_methods::{Cloud, MethodError, Point};
 use stratiform_quantities::{Side, SingleScatteringAlbedo};
 use stratiform_scene::{Droplets, Effect, Interval, Layer, Scene, Sun, View};
 use stratiform_stats::{Purpose, key, photon_stream};
@@ -25,9 +26,15 @@ pub enum TrialError {
     /// The scene is outside of the data.
     #[error(transparent)]
     Advise(#[from] stratiform_advise::AdviseError),
-    /// A listed method is gone.
+    /// A method cannot be prepared.
     #[error(transparent)]
     Method(#[from] MethodError),
+    /// The list.
+    #[error(transparent)]
+    List(#[from] ErrorsError),
+    /// A listed method is gone.
+    #[error("the data list {0}, which is no method any more")]
+    Gone(String),
     /// No truth.
     #[error(transparent)]
     Transport(#[from] TransportError),
@@ -160,12 +167,13 @@ pub fn trial(
     let budget = Budget::new(Some(max_error), None)?;
     let advice = advise(data, scene, tau, &budget, None)?;
     let all = candidates(data, scene, tau, &budget)?;
+    let methods = listed()?;
     let populations = draw(scene, tau, clouds, seed, effort)?;
     let chosen = all.iter().find(|one| one.method.name == advice.method);
-    let reached = chosen.map_or(Ok(f64::INFINITY), |one| reached(one, &populations))?;
+    let reached = chosen.map_or(Ok(f64::INFINITY), |one| reached(&methods, one, &populations))?;
     let mut cheaper = Vec::new();
     for one in all.iter().filter(|one| !advice.met || chosen.is_none_or(|chosen| one.ns < chosen.ns)) {
-        let error = self::reached(one, &populations)?;
+        let error = self::reached(&methods, one, &populations)?;
         if error <= max_error {
             cheaper.push((one.method.name.clone(), error));
         }
@@ -182,8 +190,9 @@ struct Group<'a> {
 }
 
 /// 95th percentile of the worst channel's error, the largest of any population.
-fn reached(one: &Candidate, populations: &[Vec<Group<'_>>]) -> Result<f64, TrialError> {
-    let method = by_name(&one.method.name)?;
+fn reached(methods: &[Listed], one: &Candidate, populations: &[Vec<Group<'_>>]) -> Result<f64, TrialError> {
+    let gone = || TrialError::Gone(one.method.name.clone());
+    let method = &methods.iter().find(|listed| listed.name == one.method.name).ok_or_else(gone)?.method;
     let mut worst = 0.0_f64;
     for groups in populations {
         let mut sizes = Vec::new();

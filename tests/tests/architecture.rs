@@ -21,7 +21,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("codegen", &["quantities", "artifact", "model"]),
     ("methods", &["quantities", "stats", "artifact", "optics", "tables", "transport", "model"]),
     ("scene", &["quantities", "artifact"]),
-    ("chart", &["quantities", "stats", "artifact", "optics", "transport", "methods", "scene"]),
+    ("chart", &["quantities", "stats", "artifact", "optics", "transport", "model", "methods", "scene"]),
     ("advise", &["quantities", "artifact", "scene"]),
     ("gpu", &[]),
     ("report", &["quantities", "artifact"]),

@@ -21,7 +21,7 @@ fn emitted() -> &'static Emitted {
 }
 
 fn run(input: &[u8]) -> Run<'_> {
-    Run { library: &FLUXES, table: None, input }
+    Run { library: &FLUXES, table: None, input, beside: &[] }
 }
 
 /// The modified medium's extinction as written in every language, and a thousandth more.

@@ -17,7 +17,7 @@ fn the_published_table_is_reproduced() {
     write(&generate(&common::inputs(), &Target::ALL).unwrap(), folder.path()).unwrap();
     let emitted = Emitted::at(folder.path().to_owned());
     let input = emitted.input();
-    let run = Run { library: &FLUXES, table: None, input: &input };
+    let run = Run { library: &FLUXES, table: None, input: &input, beside: &[] };
     for ending in ["wgsl", "450.glsl", "h", "rs"] {
         let text = emitted.text(&format!("stratiform.{ending}"));
         let way = ways(ending).next().unwrap();

@@ -4,11 +4,14 @@
 //! both keep every bit of an `f64`. Field names carry units. A file appears whole or not at all.
 
 mod agreement;
+mod angular_books;
 mod atomic;
+mod chart;
 mod convergence;
 mod curves;
 mod error;
 mod errors;
+mod family;
 mod hash;
 mod json;
 mod ladder;
@@ -17,18 +20,23 @@ mod optics;
 mod orders;
 mod parameters;
 mod place;
+mod principal_plane;
 mod provenance;
 mod quadrature;
 mod radiance;
+mod radiance_parameters;
 mod solver_cost;
 mod table;
 
 pub use agreement::{AgreementDocument, AgreementRow};
+pub use angular_books::{AngularBooksRow, AngularForm};
 pub use atomic::{create_folder, read_text, write_atomic};
+pub use chart::{ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, KnobRow};
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
 pub use errors::{ErrorBlock, ErrorData, ErrorMethod, ErrorRow, ErrorTable};
+pub use family::{FamilyDocument, FamilyErrorRow, FamilyMember};
 pub use hash::{hash_bytes, hash_of};
 pub use json::{read_json, to_json, write_json};
 pub use ladder::LadderRow;
@@ -42,8 +50,10 @@ pub use parameters::{
     ParametersDocument, RowIncidence,
 };
 pub use place::{key_line, line_of};
+pub use principal_plane::{PlaneOrder, PlaneSource, PrincipalPlaneRow};
 pub use provenance::Provenance;
 pub use quadrature::QuadratureRow;
 pub use radiance::{RadianceDocument, RadianceResult};
+pub use radiance_parameters::{RadianceFace, RadianceMisfit, RadianceParametersDocument, RadianceSample};
 pub use solver_cost::SolverCostRow;
 pub use table::{parse_csv, read_csv, read_numbered_csv, to_csv, write_csv};

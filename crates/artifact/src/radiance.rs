@@ -18,21 +18,24 @@ pub struct RadianceResult {
     pub phi_deg: f64,
     /// The face it leaves.
     pub side: Side,
-    /// 1, 2 or `"total"`; the total is without unscattered light.
+    /// 1, 2, …, `"tail"` (traced ones only) or `"total"`; the total is without unscattered light.
     pub order: Order,
     /// πL/(μ0 F0).
     pub value: f64,
-    /// Estimated absolute error.
+    /// Estimated absolute error if solved, standard error if traced.
     pub std_error: f64,
+    /// Of traced values only: whether enough of the rare large scores were met for the error to be a measurement.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub settled: Option<bool>,
 }
 
-/// The JSON document printed by `solve` for views.
+/// The JSON document printed by `solve` and `trace` for views.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RadianceDocument {
     /// `stratiform/radiance/1`.
     pub schema: String,
-    /// What was solved.
+    /// What was solved or traced.
     pub medium: TracedMedium,
     /// How.
     pub provenance: Provenance,

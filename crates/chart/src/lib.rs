@@ -1,3 +1,29 @@
-//! Error against cost of every method, over scenes; and the atlas of where each breaks.
+//! Error against cost of every method, over scenes.
+//!
+//! [`Sample::of_scene`] lays a grid over a scene's ranges ([`grid`]), gets the clouds' phase functions from the disk cache
+//! ([`clouds`]) and the truth from the deterministic solver on the full medium ([`truth`]). [`chart`] holds every method against
+//! it: [`Statistics`] of the relative error, nanoseconds per evaluation ([`cost`]), and the [`front`] of what nothing else beats.
+//! [`knobs()`] does the same for one method as its knob turns; [`errors`] makes the data of the
+//! adviser. Errors: [`ChartError`].
 
+mod assess;
+pub mod clouds;
+pub mod cost;
+mod error;
 pub mod errors;
+pub mod front;
+pub mod grid;
+mod knobs;
+mod quantity;
+mod rows;
+mod sample;
+mod statistics;
+pub mod truth;
+
+pub use assess::{Assessment, Tested, assess};
+pub use error::ChartError;
+pub use knobs::{Knob, KnobSetting, coarse_phase, knobs};
+pub use quantity::Quantity;
+pub use rows::{chart, document};
+pub use sample::{CloudSample, Sample, Source};
+pub use statistics::Statistics;

@@ -177,13 +177,27 @@ pub struct SlabArgs {
     pub mu0: Vec<String>,
 }
 
+/// Directions of leaving light, the same for every solver.
+#[derive(Debug, Args)]
+pub struct ViewArgs {
+    /// Radiance instead of fluxes: cosines of the leaving light's angle to the normal, in [0, 1].
+    #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "MU,...")]
+    pub view_mu: Vec<f64>,
+    /// Azimuths in degrees for --view-mu; default 0, where light keeps the sun's. The glory is side top, 180, mu = mu0.
+    #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "DEG,...", requires = "view_mu")]
+    pub phi: Vec<f64>,
+}
+
 /// `stratiform trace`.
 #[derive(Debug, Args)]
 #[command(
     allow_negative_numbers = true,
     after_help = "Examples:\n  stratiform trace --phase hg:0.75 --tau 1,8 --mu0 1 --photons 1e7\n  stratiform trace \
                   --phase config:fit-configs/appendix-b.toml --modified 5 --tau 5 --mu0 0,0.5,diffuse --photons 1e6 \
-                  --json\nA phase table is piecewise linear in the angle; its rows are theta_deg,p with 1/2 ∫ p \
+                  --json\n  stratiform trace --phase hg:0.85 --tau 5 --mu0 0.5 --view-mu 1,0.5 --phi 0,90,180 --photons 1e5\n\
+                  Radiance is scored by local estimates. A forward peak makes rare scores large: every std_error contains \
+                  one more of the largest, and rows where too few were met have settled = false; raise --photons, or \
+                  use --modified.\nA phase table is piecewise linear in the angle; its rows are theta_deg,p with 1/2 ∫ p \
                   dcosΘ = 1."
 )]
 pub struct TraceArgs {
@@ -193,10 +207,13 @@ pub struct TraceArgs {
     /// Slabs and suns.
     #[command(flatten)]
     pub slab: SlabArgs,
-    /// Photons per incidence (with --std-error: at most so many).
+    /// Radiance instead of fluxes, 0 left out of the cosines.
+    #[command(flatten)]
+    pub views: ViewArgs,
+    /// Photons per incidence (with --std-error: at most so many), for radiance per slab and sun.
     #[arg(long, value_parser = count)]
     pub photons: u64,
-    /// Stop as soon as every standard error is at most this; exit code 1 if --photons did not suffice.
+    /// Stop as soon as every standard error is at most this; exit code 1 if --photons did not suffice. Not with --view-mu.
     #[arg(long, value_parser = finite)]
     pub std_error: Option<f64>,
     /// Orders listed one by one; the rest is the tail.
@@ -205,9 +222,9 @@ pub struct TraceArgs {
     /// Seed of the random streams.
     #[arg(long, value_parser = seed, default_value = "1")]
     pub seed: u64,
-    /// Which tracer.
-    #[arg(long, value_enum, default_value = "half-space")]
-    pub estimator: Estimator,
+    /// Which tracer; default half-space. Radiance is always scored by the plain one.
+    #[arg(long, value_enum)]
+    pub estimator: Option<Estimator>,
     /// Print one JSON object instead of CSV.
     #[arg(long)]
     pub json: bool,

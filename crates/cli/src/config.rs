@@ -10,6 +10,10 @@
 //! code, but a fault of the solver would pass into the table); hence with `photons` given the table's incidences are also
 //! traced, and both tables must agree.
 
+mod family;
+
+pub use family::FamilyConfig;
+
 use crate::CliError;
 use crate::check::config::{CheckConfig, Refused};
 use serde::{Deserialize, Serialize};
@@ -17,7 +21,7 @@ use std::f64::consts::PI;
 use std::path::Path;
 use stratiform_artifact::{key_line, line_of, read_text};
 use stratiform_codegen::Target;
-use stratiform_fit::{FitConfig, FitError};
+use stratiform_fit::{FitConfig, FitError, RadianceConfig};
 use stratiform_optics::{OpticsConfig, OpticsError};
 use stratiform_quantities::{
     DomainError, ExtinctionConvention, Medium, OpticalThickness, Range, SingleScatteringAlbedo,
@@ -40,11 +44,20 @@ pub struct Config {
     pub transport: TransportConfig,
     /// Grid, bounds and angles of the fit.
     pub fit: FitConfig,
+    /// Points that the radiance model is fitted at; absent: it is not fitted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub radiance: Option<RadianceConfig>,
     /// Accepted artifacts and emitted text.
     pub codegen: CodegenConfig,
+    /// Other effective radii that get a table too; absent: none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub family: Option<FamilyConfig>,
     /// How the convergence figures are made; absent: they are not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub convergence: Option<ConvergenceConfig>,
+    /// How the figures of radiance in the principal plane are made; absent: they are not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub principal_plane: Option<PrincipalPlaneConfig>,
     /// What `check` accepts.
     pub check: CheckConfig,
 }
@@ -155,6 +168,28 @@ pub struct ConvergenceConfig {
     pub half_space_photons: Vec<u64>,
 }
 
+/// `[principal_plane]`.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PrincipalPlaneConfig {
+    /// Slabs and suns.
+    pub scenes: Vec<PlaneScene>,
+    /// Photons of each scene in the full medium, counted in angular bins.
+    pub full_photons: u64,
+    /// Photons of each scene for local estimates.
+    pub view_photons: u64,
+}
+
+/// A slab and its sun.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlaneScene {
+    /// The sun's zenith angle, degrees, below 90.
+    pub theta_l_deg: f64,
+    /// Thickness, metres.
+    pub thickness_m: f64,
+}
+
 impl Config {
     /// The schema's name and version.
     pub const SCHEMA: &'static str = "stratiform/config/1";
@@ -197,8 +232,11 @@ impl Config {
     fn validate(&self) -> Result<(), Fault> {
         self.optics.resolve()?;
         self.fit.check()?;
+        self.radiance.iter().try_for_each(RadianceConfig::check)?;
         self.transport.validate(&self.optics)?;
         self.convergence.iter().try_for_each(|convergence| convergence.validate(&self.fit))?;
+        self.principal_plane.iter().try_for_each(PrincipalPlaneConfig::validate)?;
+        self.family.iter().try_for_each(|family| family.validate(&self.optics, &self.transport))?;
         self.check.validate()?;
         self.codegen.validate()?;
         let kappa = 1e6
@@ -309,6 +347,19 @@ impl ConvergenceConfig {
             self.theta_l_deg, fit.theta_l_deg
         );
         Err(Fault { key: Some("convergence.theta_l_deg".to_owned()), message })
+    }
+}
+
+impl PrincipalPlaneConfig {
+    fn validate(&self) -> Result<(), Fault> {
+        photons("principal_plane.full_photons", self.full_photons)?;
+        photons("principal_plane.view_photons", self.view_photons)?;
+        let below_horizon = Range { max_included: false, ..Range::closed(0.0, 90.0) };
+        for scene in &self.scenes {
+            below_horizon.check("principal_plane.scenes.theta_l_deg", scene.theta_l_deg)?;
+            Range::above(0.0).check("principal_plane.scenes.thickness_m", scene.thickness_m)?;
+        }
+        Ok(())
     }
 }
 

@@ -1,6 +1,6 @@
 //! `stratiform solve` as typed.
 
-use crate::args::{MediumArgs, SlabArgs};
+use crate::args::{MediumArgs, SlabArgs, ViewArgs};
 use crate::numbers::finite;
 use clap::Args;
 
@@ -21,12 +21,9 @@ pub struct SolveArgs {
     /// Slabs and suns.
     #[command(flatten)]
     pub slab: SlabArgs,
-    /// Radiance instead of fluxes: cosines of the leaving light's angle to the normal, in [0, 1].
-    #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "MU,...")]
-    pub view_mu: Vec<f64>,
-    /// Azimuths in degrees for --view-mu; default 0, where light keeps the sun's. The glory is side top, 180, mu = mu0.
-    #[arg(long, value_delimiter = ',', value_parser = finite, value_name = "DEG,...", requires = "view_mu")]
-    pub phi: Vec<f64>,
+    /// Radiance instead of fluxes.
+    #[command(flatten)]
+    pub views: ViewArgs,
     /// Orders listed one by one, at most 60 (2 for radiance); the rest is the tail.
     #[arg(long, default_value_t = 2)]
     pub orders: u32,

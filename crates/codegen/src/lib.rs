@@ -8,8 +8,10 @@
 //! | --- | --- |
 //! | `stratiform.*` | the one-dimensional model over (μ_l, optical thickness), with its table and self-test, a [`Target`] each |
 //! | `stratiform_phase.*` | look-up of the phase functions, likewise |
+//! | `stratiform_radiance.*` | the angular model of radiance, on top of both, likewise |
 //! | `stratiform_self_test.{wgsl,spv}` | compute entry point that evaluates the model over a buffer |
 //! | `self_test.json` | inputs for it and the f64 model's outputs |
+//! | `radiance_test.csv` | inputs for the radiance library and the f64 model's outputs |
 //! | `parameters.json`, `parameters.csv` | the parameters, with errors and flags |
 //! | `phase_full.csv`, `phase_modified.csv`, `phase_squared.csv` | P, P_S and P_S convolved with itself |
 //! | `phase_warped.csv` | the same on the angle map of `stratiform_quantities` |
@@ -17,12 +19,15 @@
 mod embedded_test;
 mod error;
 mod error_card;
+mod family_member;
 mod files;
 mod inputs;
 pub mod language;
 mod node_error;
 mod phase;
 mod phase_library;
+mod radiance_library;
+mod radiance_test;
 mod self_test;
 mod shader;
 mod spirv;
@@ -33,10 +38,12 @@ pub mod usage;
 
 pub use error::CodegenError;
 pub use error_card::{ErrorCard, error_card};
+pub use family_member::family_member;
 pub use files::Files;
 pub use inputs::{Inputs, PhaseRow, PhaseTables, QUANTITIES, ReferencePoint};
 pub use language::{SubsetError, Target};
 pub use node_error::leave_one_out;
+pub use radiance_test::RadianceVector;
 pub use self_test::{SelfTest, SelfTestVector, self_test_module};
 pub use stale::{REGENERATE, Stale, check, left_over, write};
 pub use tables::{diffuse_parameters, parameter_grid};
@@ -51,8 +58,10 @@ pub fn generate(inputs: &Inputs, targets: &[Target]) -> Result<Files, CodegenErr
     let tables = tables::files(inputs)?.into_iter().chain(phase::files(inputs)?);
     files.extend(tables.map(|(name, text)| (name, text.into_bytes())));
     files.push(("self_test.json".to_owned(), self_test::document(inputs)?.into_bytes()));
-    let fluxes = shader::library(inputs)?;
-    let libraries = [&fluxes, &phase_library::library(inputs)];
+    files.push(("radiance_test.csv".to_owned(), radiance_test::document(inputs)?.into_bytes()));
+    let (fluxes, phase) = (shader::library(inputs)?, phase_library::library(inputs));
+    let radiance = radiance_library::library(inputs, &fluxes, &phase)?;
+    let libraries = [&fluxes, &phase, &radiance];
     for (library, target) in libraries.iter().flat_map(|library| targets.iter().map(move |t| (library, *t))) {
         if let (Some(text), Some(extension)) = (language::translate(library, target)?, target.extension()) {
             files.push((format!("{}.{extension}", library.name), text.into_bytes()));

@@ -31,8 +31,9 @@ pub(crate) fn library(inputs: &Inputs) -> Library<'static> {
     let table: Vec<_> = p.iter().chain(&squared).map(|value| literal(*value)).collect();
     let wavelength_um = medium.wavelength_um;
     let text = Box::new(move |target| access(target, &table, wavelength_um));
-    let glue = Glue { function: "stratiform_phase_texel", owner: "StratiformPhase", text };
-    Library { head: head(inputs, &p, &squared), name: "stratiform_phase", code, glue: Some(glue) }
+    let glue = Some(Glue { function: "stratiform_phase_texel", text });
+    let (head, owner) = (head(inputs, &p, &squared), Some("StratiformPhase"));
+    Library { head, name: "stratiform_phase", code, owner, glue, needs: Vec::new() }
 }
 
 fn head(inputs: &Inputs, p: &[f64], squared: &[f64]) -> String {
@@ -53,13 +54,13 @@ fn head(inputs: &Inputs, p: &[f64], squared: &[f64]) -> String {
 }
 
 /// 1 - cosΘ of Θ in degrees.
-fn versine(theta_deg: f64) -> f64 {
+pub(crate) fn versine(theta_deg: f64) -> f64 {
     let sine = libm::sin(0.5 * theta_deg.to_radians());
     2.0 * sine * sine
 }
 
 /// The warped grid at Θ, linear in the coordinate.
-fn looked_up(grid: &[f64], theta_deg: f64) -> f64 {
+pub(crate) fn looked_up(grid: &[f64], theta_deg: f64) -> f64 {
     let (cell, share) = place(theta_deg, grid.len());
     grid[cell] + (grid[cell + 1] - grid[cell]) * share
 }

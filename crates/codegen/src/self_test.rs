@@ -42,7 +42,7 @@ pub struct SelfTest {
 
 /// Rounds to the nearest number that a shader can be given exactly.
 #[expect(clippy::cast_possible_truncation, reason = "inputs must be the same numbers in f32 and f64")]
-fn single(value: f64) -> f64 {
+pub(crate) fn single(value: f64) -> f64 {
     f64::from(value as f32)
 }
 

@@ -16,7 +16,7 @@ pub(crate) fn library(inputs: &Inputs) -> Result<Library<'static>, CodegenError>
         banner(inputs, "Fluxes of a stratiform layer: the one-dimensional model of Bouthors et al. 2006.");
     head.push_str(&header(inputs)?);
     let code = constants(inputs) + &functions(inputs)? + &accessors() + &embedded_test::text(inputs)?;
-    Ok(Library { head, name: "stratiform", code, glue: None })
+    Ok(Library { head, name: "stratiform", code, owner: None, glue: None, needs: Vec::new() })
 }
 
 fn header(inputs: &Inputs) -> Result<String, CodegenError> {
@@ -174,7 +174,6 @@ fn functions(inputs: &Inputs) -> Result<String, CodegenError> {
         ("NODE_MUS", cases(&mus)),
         ("INTERVAL", interval),
         ("DIFFUSE", structure(&diffuse_values(optical)?)),
-        ("TAIL_TERMS", f32::TAIL_TERMS.to_string()),
         ("E1_TERMS", f32::E1_TERMS.to_string()),
         ("E3_DEPTH", f32::E3_DEPTH.to_string()),
         ("E3_START", (2 * f32::E3_DEPTH + 3).to_string()),

@@ -21,6 +21,7 @@ mod multiple;
 mod orders;
 mod orders_fit;
 mod qr;
+mod radiance;
 mod reference;
 mod regression;
 mod sandwich;
@@ -32,5 +33,9 @@ pub use consistency::{DerivedNumber, derived_numbers};
 pub use document::{ALBEDO, fit};
 pub use error::FitError;
 pub use matrix::Matrix;
+pub use radiance::{
+    Draw, Drawn, RadianceConfig, RadianceDraw, RadiancePlan, RadiancePoint, SunViews, fit_radiance, misfit,
+    radiance_coefficients,
+};
 pub use reference::{ORDERS, Reference};
 pub use regression::{HeldParameter, ModelBounds, held_parameters};

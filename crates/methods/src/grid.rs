@@ -62,7 +62,12 @@ impl RadianceGrid {
         by_sun.into_iter().flat_map(thin).collect()
     }
 
-    fn split(&self, points: &[Point], parts: usize, by: impl Fn(&(usize, usize, usize)) -> usize) -> Vec<Self> {
+    fn split(
+        &self,
+        points: &[Point],
+        parts: usize,
+        by: impl Fn(&(usize, usize, usize)) -> usize,
+    ) -> Vec<Self> {
         let mut chosen = vec![Vec::new(); parts];
         for (place, point) in self.places.iter().zip(&self.points) {
             chosen[by(place)].push(*point);

@@ -35,9 +35,7 @@ pub(crate) fn mean_decay<F: Real>(x: F) -> F {
     let one = F::of(1.0);
     if x < one {
         // Σ (-x)^k/(k+1)!, from its far end.
-        return (1..=F::TAIL_TERMS + 1)
-            .rev()
-            .fold(one, |sum, k| one - x / F::of(f64::from(k) + 1.0) * sum);
+        return (1..=F::TAIL_TERMS + 1).rev().fold(one, |sum, k| one - x / F::of(f64::from(k) + 1.0) * sum);
     }
     (one - (-x).exp()) / x
 }
@@ -56,7 +54,8 @@ pub(crate) fn second_mean<F: Real>(a: F, b: F) -> F {
     }
     let (m, decay) = (middle, (-middle).exp());
     let slope = (one - (one + m) * decay) / (m * m);
-    let cubic = (F::of(6.0) - (((m + F::of(3.0)) * m + F::of(6.0)) * m + F::of(6.0)) * decay) / (m * m * m * m);
+    let cubic =
+        (F::of(6.0) - (((m + F::of(3.0)) * m + F::of(6.0)) * m + F::of(6.0)) * decay) / (m * m * m * m);
     slope + apart * apart / F::of(24.0) * cubic
 }
 
@@ -87,11 +86,17 @@ mod tests {
     /// Every branch against the double integral ∫_0^1 ds ∫_0^s dt e^{-at-b(s-t)} by midpoints.
     #[test]
     fn the_second_mean_is_its_integral() {
-        for (a, b) in [(0.0, 0.0), (0.3, 0.9), (0.99, 1.01), (2.0, 2.03), (2.0, 2.05), (5.0, 0.0), (30.0, 30.0)] {
+        for (a, b) in
+            [(0.0, 0.0), (0.3, 0.9), (0.99, 1.01), (2.0, 2.03), (2.0, 2.05), (5.0, 0.0), (30.0, 30.0)]
+        {
             let n = 2000;
             let sum = (0..n).fold(0.0, |sum, i| {
                 let s = (f64::from(i) + 0.5) / f64::from(n);
-                let x = if a == b { s * libm::exp(-a * s) } else { (libm::exp(-a * s) - libm::exp(-b * s)) / (b - a) };
+                let x = if a == b {
+                    s * libm::exp(-a * s)
+                } else {
+                    (libm::exp(-a * s) - libm::exp(-b * s)) / (b - a)
+                };
                 sum + x / f64::from(n)
             });
             assert!((second_mean(a, b) / sum - 1.0).abs() < 1e-5, "{a} {b}");

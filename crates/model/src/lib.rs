@@ -31,6 +31,7 @@ pub mod family;
 mod fluxes;
 mod parameters;
 mod problems;
+pub mod radiance;
 mod real;
 pub mod table;
 

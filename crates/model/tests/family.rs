@@ -58,7 +58,8 @@ fn single_precision_follows_double() {
     let members = [member(4.0, 0.0), member(7.0, 0.3), member(20.0, 1.0)];
     let single = ParameterFamily::<f32>::new(RadiusCoordinate::Logarithm, &members).unwrap();
     for radius in [4.0_f32, 5.5, 7.0, 13.0, 20.0] {
-        let (one, two) = (single.at(0.4, radius).unwrap(), double.at(f64::from(0.4_f32), radius.into()).unwrap());
+        let (one, two) =
+            (single.at(0.4, radius).unwrap(), double.at(f64::from(0.4_f32), radius.into()).unwrap());
         let pairs = [(one.values().b, two.values().b), (one.values().kappa_c, two.values().kappa_c)];
         for (a, b) in pairs {
             assert!((f64::from(a) / b - 1.0).abs() < 3e-6, "{radius}: {a} {b}");
@@ -74,7 +75,8 @@ fn what_lies_outside_is_refused() {
         assert!(family.diffuse(radius).is_err());
     }
     assert!(family.at(1.1, 5.0).is_err() && family.at(f64::NAN, 5.0).is_err());
-    let refused = |members: &[Member]| ParameterFamily::<f64>::new(RadiusCoordinate::Logarithm, members).unwrap_err();
+    let refused =
+        |members: &[Member]| ParameterFamily::<f64>::new(RadiusCoordinate::Logarithm, members).unwrap_err();
     assert_eq!(refused(&[member(4.0, 0.0)]), ModelError::TooFewRadii { radii: 1 });
     assert_eq!(
         refused(&[member(7.0, 0.0), member(4.0, 0.0)]),

@@ -35,10 +35,15 @@ const uint STRATIFORM_PHASE_COUNT = 1024u;
 const float STRATIFORM_WIDE_SCALE = 1.8339075;
 const float STRATIFORM_WIDE_EDGE = 0.0038053019;
 
-// acos(1 - v) for v = 1 - cosTheta in [0, 2]; error below 1e-7 of pi, relative at both ends. Abramowitz & Stegun 1964, 4.4.46.
-float stratiform_arc(float v) {
-    float nearest = min(v, 2.0 - v);
-    float x = 1.0 - nearest;
+// Where a row is read: between texels cell and cell + 1, at the share of the second.
+struct StratiformPlace {
+    uint cell;
+    float share;
+};
+
+// acos(1 - v) for v = 1 - cosTheta in [0, 1]; relative error below 1e-7 of pi / 2. Abramowitz & Stegun 1964, 4.4.46.
+float stratiform_near_arc(float v) {
+    float x = 1.0 - v;
     float sum = -0.0012624911;
     sum = sum * x + 0.0066700901;
     sum = sum * x - 0.0170881256;
@@ -47,7 +52,12 @@ float stratiform_arc(float v) {
     sum = sum * x + 0.0889789874;
     sum = sum * x - 0.2145988016;
     sum = sum * x + 1.5707963050;
-    float arc = sqrt(max(nearest, 0.0)) * sum;
+    return sqrt(max(v, 0.0)) * sum;
+}
+
+// acos(1 - v) for v in [0, 2].
+float stratiform_arc(float v) {
+    float arc = stratiform_near_arc(min(v, 2.0 - v));
     return (v <= 1.0 ? arc : 3.14159265 - arc);
 }
 
@@ -69,29 +79,45 @@ float stratiform_phase_angle(float coordinate) {
     return 3.14159265 - 6.28318531 * back * back;
 }
 
-// Row `row` at v, linear in the coordinate.
-float stratiform_phase_lookup(uint row, float v) {
-    float place = stratiform_phase_coordinate(stratiform_arc(v)) * float(STRATIFORM_PHASE_COUNT - 1u);
+// Where v is in every row.
+StratiformPlace stratiform_phase_place(float v) {
+    float nearest = sqrt(stratiform_near_arc(min(v, 2.0 - v)) * 0.159154943);
+    float place = (v <= 1.0 ? nearest : 1.0 - nearest) * float(STRATIFORM_PHASE_COUNT - 1u);
     uint whole = uint(place);
     uint cell = (whole < STRATIFORM_PHASE_COUNT - 2u ? whole : STRATIFORM_PHASE_COUNT - 2u);
-    float first = stratiform_phase_texel(row, cell);
-    float second = stratiform_phase_texel(row, cell + 1u);
-    return first + (second - first) * (place - float(cell));
+    return StratiformPlace(cell, place - float(cell));
+}
+
+// Row `row` there, linear in the coordinate.
+float stratiform_phase_row(uint row, StratiformPlace place) {
+    float first = stratiform_phase_texel(row, place.cell);
+    float second = stratiform_phase_texel(row, place.cell + 1u);
+    return first + (second - first) * place.share;
 }
 
 // P of the full medium at v = 1 - cosTheta.
 float stratiform_phase(float v) {
-    return stratiform_phase_lookup(0u, v);
+    return stratiform_phase_row(0u, stratiform_phase_place(v));
+}
+
+// P_S of the modified medium at v, whose place is given.
+float stratiform_phase_modified_at(StratiformPlace place, float v) {
+    return (v >= STRATIFORM_WIDE_EDGE ? STRATIFORM_WIDE_SCALE * stratiform_phase_row(0u, place) : 0.0);
 }
 
 // P_S of the modified medium at v = 1 - cosTheta.
 float stratiform_phase_modified(float v) {
-    return (v >= STRATIFORM_WIDE_EDGE ? STRATIFORM_WIDE_SCALE * stratiform_phase(v) : 0.0);
+    return stratiform_phase_modified_at(stratiform_phase_place(v), v);
+}
+
+// P_S convolved with itself on the sphere, at a place.
+float stratiform_phase_squared_at(StratiformPlace place) {
+    return stratiform_phase_row(1u, place);
 }
 
 // P_S convolved with itself on the sphere, at v = 1 - cosTheta.
 float stratiform_phase_squared(float v) {
-    return stratiform_phase_lookup(1u, v);
+    return stratiform_phase_squared_at(stratiform_phase_place(v));
 }
 
 // ---- self-test ---------------------------------------------------------------------------------------------------

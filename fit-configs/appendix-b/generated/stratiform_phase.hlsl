@@ -37,10 +37,15 @@ static const uint STRATIFORM_PHASE_COUNT = 1024u;
 static const float STRATIFORM_WIDE_SCALE = 1.8339075f;
 static const float STRATIFORM_WIDE_EDGE = 0.0038053019f;
 
-// acos(1 - v) for v = 1 - cosTheta in [0, 2]; error below 1e-7 of pi, relative at both ends. Abramowitz & Stegun 1964, 4.4.46.
-float stratiform_arc(float v) {
-    float nearest = min(v, 2.0f - v);
-    float x = 1.0f - nearest;
+// Where a row is read: between texels cell and cell + 1, at the share of the second.
+struct StratiformPlace {
+    uint cell;
+    float share;
+};
+
+// acos(1 - v) for v = 1 - cosTheta in [0, 1]; relative error below 1e-7 of pi / 2. Abramowitz & Stegun 1964, 4.4.46.
+float stratiform_near_arc(float v) {
+    float x = 1.0f - v;
     float sum = -0.0012624911f;
     sum = sum * x + 0.0066700901f;
     sum = sum * x - 0.0170881256f;
@@ -49,7 +54,12 @@ float stratiform_arc(float v) {
     sum = sum * x + 0.0889789874f;
     sum = sum * x - 0.2145988016f;
     sum = sum * x + 1.5707963050f;
-    float arc = sqrt(max(nearest, 0.0f)) * sum;
+    return sqrt(max(v, 0.0f)) * sum;
+}
+
+// acos(1 - v) for v in [0, 2].
+float stratiform_arc(float v) {
+    float arc = stratiform_near_arc(min(v, 2.0f - v));
     return (v <= 1.0f ? arc : 3.14159265f - arc);
 }
 
@@ -71,29 +81,46 @@ float stratiform_phase_angle(float coordinate) {
     return 3.14159265f - 6.28318531f * back * back;
 }
 
-// Row `row` at v, linear in the coordinate.
-float stratiform_phase_lookup(uint row, float v) {
-    float place = stratiform_phase_coordinate(stratiform_arc(v)) * float(STRATIFORM_PHASE_COUNT - 1u);
+// Where v is in every row.
+StratiformPlace stratiform_phase_place(float v) {
+    float nearest = sqrt(stratiform_near_arc(min(v, 2.0f - v)) * 0.159154943f);
+    float place = (v <= 1.0f ? nearest : 1.0f - nearest) * float(STRATIFORM_PHASE_COUNT - 1u);
     uint whole = uint(place);
     uint cell = (whole < STRATIFORM_PHASE_COUNT - 2u ? whole : STRATIFORM_PHASE_COUNT - 2u);
-    float first = stratiform_phase_texel(row, cell);
-    float second = stratiform_phase_texel(row, cell + 1u);
-    return first + (second - first) * (place - float(cell));
+    StratiformPlace result = {cell, place - float(cell)};
+    return result;
+}
+
+// Row `row` there, linear in the coordinate.
+float stratiform_phase_row(uint row, StratiformPlace place) {
+    float first = stratiform_phase_texel(row, place.cell);
+    float second = stratiform_phase_texel(row, place.cell + 1u);
+    return first + (second - first) * place.share;
 }
 
 // P of the full medium at v = 1 - cosTheta.
 float stratiform_phase(float v) {
-    return stratiform_phase_lookup(0u, v);
+    return stratiform_phase_row(0u, stratiform_phase_place(v));
+}
+
+// P_S of the modified medium at v, whose place is given.
+float stratiform_phase_modified_at(StratiformPlace place, float v) {
+    return (v >= STRATIFORM_WIDE_EDGE ? STRATIFORM_WIDE_SCALE * stratiform_phase_row(0u, place) : 0.0f);
 }
 
 // P_S of the modified medium at v = 1 - cosTheta.
 float stratiform_phase_modified(float v) {
-    return (v >= STRATIFORM_WIDE_EDGE ? STRATIFORM_WIDE_SCALE * stratiform_phase(v) : 0.0f);
+    return stratiform_phase_modified_at(stratiform_phase_place(v), v);
+}
+
+// P_S convolved with itself on the sphere, at a place.
+float stratiform_phase_squared_at(StratiformPlace place) {
+    return stratiform_phase_row(1u, place);
 }
 
 // P_S convolved with itself on the sphere, at v = 1 - cosTheta.
 float stratiform_phase_squared(float v) {
-    return stratiform_phase_lookup(1u, v);
+    return stratiform_phase_squared_at(stratiform_phase_place(v));
 }
 
 // ---- self-test ---------------------------------------------------------------------------------------------------

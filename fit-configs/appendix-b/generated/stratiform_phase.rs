@@ -293,10 +293,16 @@ pub const STRATIFORM_PHASE_COUNT: u32 = 1024;
 pub const STRATIFORM_WIDE_SCALE: f32 = 1.8339075;
 pub const STRATIFORM_WIDE_EDGE: f32 = 0.0038053019;
 
-/// acos(1 - v) for v = 1 - cosTheta in [0, 2]; error below 1e-7 of pi, relative at both ends. Abramowitz & Stegun 1964, 4.4.46.
-pub fn stratiform_arc(v: f32) -> f32 {
-    let nearest: f32 = v.min(2.0 - v);
-    let x: f32 = 1.0 - nearest;
+/// Where a row is read: between texels cell and cell + 1, at the share of the second.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StratiformPlace {
+    pub cell: u32,
+    pub share: f32,
+}
+
+/// acos(1 - v) for v = 1 - cosTheta in [0, 1]; relative error below 1e-7 of pi / 2. Abramowitz & Stegun 1964, 4.4.46.
+pub fn stratiform_near_arc(v: f32) -> f32 {
+    let x: f32 = 1.0 - v;
     let mut sum: f32 = -0.0012624911;
     sum = sum * x + 0.0066700901;
     sum = sum * x - 0.0170881256;
@@ -305,7 +311,12 @@ pub fn stratiform_arc(v: f32) -> f32 {
     sum = sum * x + 0.0889789874;
     sum = sum * x - 0.2145988016;
     sum = sum * x + 1.5707963050;
-    let arc: f32 = nearest.max(0.0).sqrt() * sum;
+    v.max(0.0).sqrt() * sum
+}
+
+/// acos(1 - v) for v in [0, 2].
+pub fn stratiform_arc(v: f32) -> f32 {
+    let arc: f32 = stratiform_near_arc(v.min(2.0 - v));
     if v <= 1.0 { arc } else { 3.14159265 - arc }
 }
 
@@ -327,29 +338,45 @@ pub fn stratiform_phase_angle(coordinate: f32) -> f32 {
     3.14159265 - 6.28318531 * back * back
 }
 
-/// Row `row` at v, linear in the coordinate.
-pub fn stratiform_phase_lookup(row: u32, v: f32) -> f32 {
-    let place: f32 = stratiform_phase_coordinate(stratiform_arc(v)) * ((STRATIFORM_PHASE_COUNT - 1) as f32);
+/// Where v is in every row.
+pub fn stratiform_phase_place(v: f32) -> StratiformPlace {
+    let nearest: f32 = (stratiform_near_arc(v.min(2.0 - v)) * 0.159154943).sqrt();
+    let place: f32 = (if v <= 1.0 { nearest } else { 1.0 - nearest }) * ((STRATIFORM_PHASE_COUNT - 1) as f32);
     let whole: u32 = place as u32;
     let cell: u32 = if whole < STRATIFORM_PHASE_COUNT - 2 { whole } else { STRATIFORM_PHASE_COUNT - 2 };
-    let first: f32 = stratiform_phase_texel(row, cell);
-    let second: f32 = stratiform_phase_texel(row, cell + 1);
-    first + (second - first) * (place - (cell as f32))
+    StratiformPlace { cell, share: place - (cell as f32) }
+}
+
+/// Row `row` there, linear in the coordinate.
+pub fn stratiform_phase_row(row: u32, place: StratiformPlace) -> f32 {
+    let first: f32 = stratiform_phase_texel(row, place.cell);
+    let second: f32 = stratiform_phase_texel(row, place.cell + 1);
+    first + (second - first) * place.share
 }
 
 /// P of the full medium at v = 1 - cosTheta.
 pub fn stratiform_phase(v: f32) -> f32 {
-    stratiform_phase_lookup(0, v)
+    stratiform_phase_row(0, stratiform_phase_place(v))
+}
+
+/// P_S of the modified medium at v, whose place is given.
+pub fn stratiform_phase_modified_at(place: StratiformPlace, v: f32) -> f32 {
+    if v >= STRATIFORM_WIDE_EDGE { STRATIFORM_WIDE_SCALE * stratiform_phase_row(0, place) } else { 0.0 }
 }
 
 /// P_S of the modified medium at v = 1 - cosTheta.
 pub fn stratiform_phase_modified(v: f32) -> f32 {
-    if v >= STRATIFORM_WIDE_EDGE { STRATIFORM_WIDE_SCALE * stratiform_phase(v) } else { 0.0 }
+    stratiform_phase_modified_at(stratiform_phase_place(v), v)
+}
+
+/// P_S convolved with itself on the sphere, at a place.
+pub fn stratiform_phase_squared_at(place: StratiformPlace) -> f32 {
+    stratiform_phase_row(1, place)
 }
 
 /// P_S convolved with itself on the sphere, at v = 1 - cosTheta.
 pub fn stratiform_phase_squared(v: f32) -> f32 {
-    stratiform_phase_lookup(1, v)
+    stratiform_phase_squared_at(stratiform_phase_place(v))
 }
 
 // ---- self-test ---------------------------------------------------------------------------------------------------

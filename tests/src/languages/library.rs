@@ -1,4 +1,4 @@
-//! The two emitted libraries, each with the drivers that call it.
+//! The emitted libraries, each with the drivers that call it.
 
 /// One emitted library: what its files are called, and a driver in each language.
 ///
@@ -14,6 +14,8 @@ pub struct Library {
     pub(super) wgsl: &'static str,
     /// f32 read and written per input.
     pub(super) sizes: [usize; 2],
+    /// Names of the libraries that stand above it.
+    pub needs: &'static [&'static str],
 }
 
 /// Fluxes: (μ_l, τ), μ_l = -1 for diffuse light, to nine fluxes.
@@ -26,6 +28,7 @@ pub static FLUXES: Library = Library {
     hlsl: include_str!("drivers/fluxes/driver.hlsl"),
     wgsl: include_str!("drivers/fluxes/driver.wgsl"),
     sizes: [2, 9],
+    needs: &[],
 };
 
 /// Phase functions: v = 1 - cosΘ to P, P_S, P_S convolved with itself, and the angle by way of the table's coordinate.
@@ -38,6 +41,21 @@ pub static PHASE: Library = Library {
     hlsl: include_str!("drivers/phase/driver.hlsl"),
     wgsl: include_str!("drivers/phase/driver.wgsl"),
     sizes: [1, 4],
+    needs: &[],
+};
+
+/// Radiance: (mu_l, mu_v, v, tau, shape) to I1, I2, I3+ at the lit face and at the other, both sums, transparency, and
+/// L/F0 of factor 1.
+pub static RADIANCE: Library = Library {
+    name: "stratiform_radiance",
+    c: include_str!("drivers/radiance/driver.c"),
+    rust: include_str!("drivers/radiance/driver.rs"),
+    glsl: include_str!("drivers/radiance/driver.glsl"),
+    fragment: include_str!("drivers/radiance/fragment.glsl"),
+    hlsl: include_str!("drivers/radiance/driver.hlsl"),
+    wgsl: include_str!("drivers/radiance/driver.wgsl"),
+    sizes: [5, 10],
+    needs: &["stratiform", "stratiform_phase"],
 };
 
 /// A library and what its driver is run on.
@@ -48,9 +66,20 @@ pub struct Run<'a> {
     pub table: Option<&'a [u8]>,
     /// The driver's input.
     pub input: &'a [u8],
+    /// Names and texts of the files that the library needs.
+    pub beside: &'a [(String, String)],
 }
 
 impl Run<'_> {
+    /// The library's `text` below those that it needs, in place of including them.
+    pub fn pasted(&self, text: &str) -> String {
+        let includes =
+            |line: &&str| self.beside.iter().any(|(name, _)| **line == format!("#include \"{name}\""));
+        let own: Vec<_> = text.lines().filter(|line| !includes(line)).collect();
+        let above: String = self.beside.iter().map(|(_, text)| format!("{text}\n")).collect();
+        above + &own.join("\n") + "\n"
+    }
+
     /// Inputs: threads of a shader.
     pub(super) fn count(&self) -> usize {
         self.input.len() / 4 / self.library.sizes[0]

@@ -16,9 +16,11 @@ pub mod signatures;
 pub mod tools;
 pub mod ways;
 
+use library::Library;
 use std::fs;
 use std::path::PathBuf;
-use stratiform_codegen::SelfTest;
+use stratiform_artifact::read_csv;
+use stratiform_codegen::{RadianceVector, SelfTest};
 use stratiform_quantities::Incidence;
 
 /// A folder of emitted files.
@@ -75,6 +77,38 @@ impl Emitted {
     /// If it cannot be read: a test then fails.
     pub fn bytes(&self, name: &str) -> Vec<u8> {
         fs::read(self.folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    /// Both rows of the phase table, as the host binds them.
+    ///
+    /// # Panics
+    /// If it cannot be read: a test then fails.
+    #[expect(clippy::cast_possible_truncation, reason = "a shader's table is in single precision")]
+    pub fn phase_table(&self) -> Vec<u8> {
+        let text = self.text("phase_warped.csv");
+        let column = |i: usize| {
+            text.lines().skip(1).map(move |line| line.split(',').nth(i).and_then(|field| field.parse().ok()))
+        };
+        let values = column(2).chain(column(3)).map(|value: Option<f64>| value.unwrap_or(f64::NAN));
+        values.flat_map(|value| (value as f32).to_le_bytes()).collect()
+    }
+
+    /// Sights, and what the f64 model gives for them.
+    ///
+    /// # Panics
+    /// If they cannot be read: a test then fails.
+    #[expect(clippy::expect_used, reason = "for tests only")]
+    pub fn radiance_vectors(&self) -> Vec<RadianceVector> {
+        read_csv(&self.folder.join("radiance_test.csv")).expect("the radiance's vectors")
+    }
+
+    /// Names and texts of the files that stand above those of `library` with this `ending`.
+    ///
+    /// # Panics
+    /// If one cannot be read: a test then fails.
+    pub fn beside(&self, library: &Library, ending: &str) -> Vec<(String, String)> {
+        let names = library.needs.iter().map(|name| format!("{name}.{ending}"));
+        names.map(|name| (name.clone(), self.text(&name))).collect()
     }
 
     /// (μ_l, τ) of every vector, μ_l = -1 for diffuse light, as the drivers take them.

@@ -3,6 +3,16 @@
 use super::library::{Output, Run};
 use super::tools::{Scratch, ToolError};
 
+/// A folder with the library's `text` under `name` and what it needs beside it.
+fn scratch(run: &Run, name: &str, text: &str) -> Result<Scratch, ToolError> {
+    let scratch = Scratch::new()?;
+    scratch.write(name, text)?;
+    for (name, text) in run.beside {
+        scratch.write(name, text)?;
+    }
+    Ok(scratch)
+}
+
 /// What stands in for Metal's library.
 pub const METAL_LIBRARY: &str = include_str!("drivers/metal_stdlib");
 
@@ -15,8 +25,7 @@ const WARNINGS: [&str; 7] =
 /// # Errors
 /// [`ToolError`] if the compiler is missing or refuses.
 pub fn c(compiler: &'static str, standard: &str, run: &Run, text: &str) -> Result<Output, ToolError> {
-    let scratch = Scratch::new()?;
-    scratch.write("library.h", text)?;
+    let scratch = scratch(run, "library.h", text)?;
     scratch.write("driver.c", run.library.c)?;
     let language = if standard.contains("++") { "c++" } else { "c" };
     let include = ["-include", "library.h"];
@@ -36,8 +45,7 @@ pub fn c(compiler: &'static str, standard: &str, run: &Run, text: &str) -> Resul
 /// # Errors
 /// [`ToolError`] if the compiler is missing or refuses.
 pub fn rust(edition: &str, run: &Run, text: &str) -> Result<Output, ToolError> {
-    let scratch = Scratch::new()?;
-    scratch.write("library.rs", text)?;
+    let scratch = scratch(run, "library.rs", text)?;
     scratch.write("driver.rs", run.library.rust)?;
     scratch.run("rustc", &["--edition", edition, "-D", "warnings", "-O", "driver.rs"])?;
     Ok(Output::read(&scratch.run_program("driver", run.input)?))
@@ -48,9 +56,8 @@ pub fn rust(edition: &str, run: &Run, text: &str) -> Result<Output, ToolError> {
 /// # Errors
 /// [`ToolError`] if the compiler or GLM is missing, or it refuses.
 pub fn metal(run: &Run, text: &str) -> Result<Output, ToolError> {
-    let scratch = Scratch::new()?;
+    let scratch = scratch(run, "library.metal", text)?;
     scratch.write("metal_stdlib", METAL_LIBRARY)?;
-    scratch.write("library.metal", text)?;
     scratch.write("driver.c", run.library.c)?;
     let arguments = [
         &["-std=c++17", "-O1", "-fsingle-precision-constant", "-I."][..],

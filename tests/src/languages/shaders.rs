@@ -116,7 +116,7 @@ pub fn run(gpu: &Gpu, run: &Run, module: &[u32]) -> Result<Output, GpuError> {
 /// # Errors
 /// [`GpuError`] if the device refuses.
 pub fn run_wgsl(gpu: &Gpu, run: &Run, text: &str) -> Result<Output, GpuError> {
-    let module = format!("{text}\n{}", run.library.wgsl);
+    let module = format!("{}\n{}", run.pasted(text), run.library.wgsl);
     let output = gpu.run(&module, ENTRY, &bindings(run), 4 * run.written(), groups(run))?;
     Ok(Output::read(&output))
 }

@@ -37,9 +37,21 @@ static WAYS: [Way; 11] = [
     way("Rust 2021", "rs", Place::Processor(|run, text| native::rust("2021", run, text))),
     way("Rust 2024", "rs", Place::Processor(|run, text| native::rust("2024", run, text))),
     way("Metal on the processor", "metal", Place::Processor(native::metal)),
-    way("GLSL 450", "450.glsl", Place::Device(|run, text| shaders::glsl_compute(run.library, text))),
-    way("HLSL by glslang", "hlsl", Place::Device(|run, text| shaders::hlsl_by_glslang(run.library, text))),
-    way("HLSL by DXC", "hlsl", Place::Device(|run, text| shaders::hlsl_by_dxc(run.library, text))),
+    way(
+        "GLSL 450",
+        "450.glsl",
+        Place::Device(|run, text| shaders::glsl_compute(run.library, &run.pasted(text))),
+    ),
+    way(
+        "HLSL by glslang",
+        "hlsl",
+        Place::Device(|run, text| shaders::hlsl_by_glslang(run.library, &run.pasted(text))),
+    ),
+    way(
+        "HLSL by DXC",
+        "hlsl",
+        Place::Device(|run, text| shaders::hlsl_by_dxc(run.library, &run.pasted(text))),
+    ),
     way("WGSL", "wgsl", Place::Text),
 ];
 

@@ -2,45 +2,76 @@
 
 use super::ErrorsError;
 use super::rows::{flux_point, point};
-use std::hint::black_box;
-use std::time::{Duration, Instant};
+use crate::cost::{Effort, flux_ns, radiance_ns};
+use crate::{Tested, coarse_phase};
 use stratiform_artifact::{ErrorBlock, ErrorMethod, ErrorRow};
-use stratiform_methods::{Cloud, Method, MethodError, Single, all, by_name, knobs};
-use stratiform_model::angular::Sight;
+use stratiform_methods::{
+    Cloud, EMITTED_TEXELS, FluxPoint, Method, MethodError, Point, Single, all, by_name, knobs,
+};
 
 /// Sizes of phase tables that are listed.
 const TEXELS: [f64; 3] = [64.0, 256.0, 1024.0];
 
 /// A method under its name, with the size of its phase table.
 pub struct Listed {
+    /// Stem and knob.
+    pub name: String,
     /// What it is.
-    pub method: Box<dyn Method>,
+    pub method: Box<dyn Tested>,
     /// The name without what changes no cost.
     stem: String,
-    texels: Option<u64>,
+    texels: Option<usize>,
+    table_bytes: usize,
 }
 
-/// Every method, turned through the values of its knob.
+impl Listed {
+    fn new(method: Box<dyn Method>, stem: &str, texels: Option<usize>) -> Self {
+        let (name, table_bytes) = (method.card().name.clone(), method.card().table_bytes.unwrap_or(0));
+        Self { name, method: Box::new(method), stem: stem.to_owned(), texels, table_bytes }
+    }
+
+    /// The same with fewer texels in its phase table.
+    fn coarse(method: Box<dyn Method>, texels: usize) -> Result<Self, ErrorsError> {
+        let whole = Self::new(method, "", Some(texels));
+        let (name, stem) = (format!("{}:{texels}", whole.name), whole.name);
+        let table_bytes = whole.table_bytes * texels / EMITTED_TEXELS;
+        Ok(Self {
+            name: name.clone(),
+            method: coarse_phase(by_name(&stem)?, texels)?,
+            stem,
+            table_bytes,
+            ..whole
+        })
+    }
+}
+
+/// Every method that is shader code, turned through the values of its knob; one with a phase table but no knob for it with tables
+/// of several sizes.
 ///
 /// # Errors
-/// [`MethodError`].
-pub fn listed() -> Result<Vec<Listed>, MethodError> {
+/// [`ErrorsError`].
+pub fn listed() -> Result<Vec<Listed>, ErrorsError> {
     let mut list = Vec::new();
     for method in all() {
-        let name = method.card().name.clone();
-        let stem = name.split(':').next().unwrap_or_default().to_owned();
-        let Some(knob) = knobs(&stem).filter(|_| method.card().table_bytes.is_some()) else {
-            list.push(Listed { method, stem, texels: None });
-            continue;
-        };
-        let texels = knob.counts == "texels";
-        for value in knob.values.iter().filter(|value| !texels || TEXELS.contains(*value)) {
-            let name = format!("{stem}:{value}");
-            let stem = if texels { stem.clone() } else { name.clone() };
-            list.push(Listed { method: by_name(&name)?, stem, texels: texels.then_some(*value as u64) });
+        let card = method.card();
+        let Some(table_bytes) = card.table_bytes else { continue };
+        let stem = card.name.split(':').next().unwrap_or_default().to_owned();
+        if let Some(knob) = knobs(&stem) {
+            let texels = knob.counts == "texels";
+            for value in knob.values.iter().filter(|value| !texels || TEXELS.contains(*value)) {
+                let name = format!("{stem}:{value}");
+                let costs_as = if texels { &stem } else { &name };
+                list.push(Listed::new(by_name(&name)?, costs_as, texels.then_some(*value as usize)));
+            }
+        } else if table_bytes >= 4 * EMITTED_TEXELS {
+            for texels in &TEXELS[..TEXELS.len() - 1] {
+                list.push(Listed::coarse(by_name(&stem)?, *texels as usize)?);
+            }
+            list.push(Listed::new(method, &stem, Some(EMITTED_TEXELS)));
+        } else {
+            list.push(Listed::new(method, &stem, None));
         }
     }
-    list.retain(|one| one.method.card().table_bytes.is_some());
     Ok(list)
 }
 
@@ -54,16 +85,8 @@ pub(super) fn records(
     rows: &[ErrorRow],
 ) -> Result<Vec<ErrorMethod>, ErrorsError> {
     let (fluxes, seen): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.block == ErrorBlock::Flux);
-    let seen: Vec<(f32, Sight<f32>)> = seen
-        .iter()
-        .step_by(seen.len() / 500 + 1)
-        .map(|row| {
-            let p = point(row);
-            Ok((p.tau as f32, Sight::new(p.mu_l, p.mu_v, p.phi_deg, p.side)?.cast()))
-        })
-        .collect::<Result<_, MethodError>>()?;
-    let fluxes: Vec<(f32, f32)> =
-        fluxes.iter().map(|row| flux_point(row)).map(|p| (p.tau as f32, p.mu_l as f32)).collect();
+    let seen: Vec<Point> = seen.iter().step_by(seen.len() / 500 + 1).map(|row| point(row)).collect();
+    let fluxes: Vec<FluxPoint> = fluxes.iter().map(|row| flux_point(row)).collect();
     let mut records: Vec<ErrorMethod> = Vec::new();
     for one in methods {
         let card = one.method.card();
@@ -72,43 +95,29 @@ pub(super) fn records(
         let costs = match same {
             // Sizes of a table do not change what is computed: differences would be noise.
             Some(first) => [first.ns, first.flux_ns],
-            None => costs(one.method.prepare(cloud)?.single(), &seen, &fluxes),
+            None => costs(one.method.prepare(cloud)?.single(), &seen, &fluxes)?,
         };
         records.push(ErrorMethod {
-            name: card.name.clone(),
+            name: one.name.clone(),
             title: card.title.to_owned(),
             radiance: card.radiance,
             flux: card.flux,
             ns: costs[0].filter(|_| card.radiance),
             flux_ns: costs[1].filter(|_| card.flux),
-            table_bytes: card.table_bytes.unwrap_or(0) as u64,
-            texels: one.texels,
+            table_bytes: one.table_bytes as u64,
+            texels: one.texels.map(|count| count as u64),
         });
     }
     Ok(records)
 }
 
-fn costs(single: Option<&dyn Single>, seen: &[(f32, Sight<f32>)], fluxes: &[(f32, f32)]) -> [Option<f64>; 2] {
-    let Some(single) = single else { return [None, None] };
-    [
-        Some(ns_each(seen, |(tau, sight)| single.radiance(*tau, sight))),
-        Some(ns_each(fluxes, |(tau, mu_l)| {
-            let (reflectance, transmittance) = single.fluxes(*tau, *mu_l);
-            reflectance + transmittance
-        })),
-    ]
-}
-
-/// Nanoseconds per call, to 0.1: the quickest of several runs.
-fn ns_each<T>(inputs: &[T], call: impl Fn(&T) -> f32) -> f64 {
-    let run = || {
-        let (start, mut calls) = (Instant::now(), 0_usize);
-        while start.elapsed() < Duration::from_millis(3) {
-            black_box(inputs.iter().fold(0.0_f32, |sum, input| sum + call(black_box(input))));
-            calls += inputs.len();
-        }
-        1e9 * start.elapsed().as_secs_f64() / calls as f64
-    };
-    let quickest = (0..9).map(|_| run()).fold(f64::INFINITY, f64::min);
-    (quickest * 10.0).round() / 10.0
+fn costs(
+    single: Option<&dyn Single>,
+    seen: &[Point],
+    fluxes: &[FluxPoint],
+) -> Result<[Option<f64>; 2], MethodError> {
+    let Some(single) = single else { return Ok([None, None]) };
+    let tenths = |ns: f64| (10.0 * ns).round() / 10.0;
+    Ok([radiance_ns(single, seen, Effort::FULL)?, flux_ns(single, fluxes, Effort::FULL)]
+        .map(|ns| ns.map(tenths)))
 }

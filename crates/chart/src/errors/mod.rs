@@ -10,7 +10,7 @@ mod nodes;
 mod rows;
 mod truth;
 
-pub use listed::listed;
+pub use listed::{Listed, listed};
 pub use nodes::{Nodes, WAVELENGTHS_UM};
 
 use stratiform_artifact::{ErrorData, ErrorTable};
@@ -23,6 +23,9 @@ pub enum ErrorsError {
     /// The truth.
     #[error(transparent)]
     Transport(#[from] TransportError),
+    /// A phase table.
+    #[error(transparent)]
+    Chart(#[from] crate::ChartError),
     /// A method.
     #[error(transparent)]
     Method(#[from] MethodError),

@@ -6,7 +6,7 @@ use stratiform_transport::TransportError;
 use stratiform_transport::solve::{RadianceOrder, RadianceSolver, View};
 
 /// Asked of radiances: absolute below 1, relative above.
-pub(super) const TOLERANCE: f64 = 3e-4;
+pub(super) const TOLERANCE: f64 = 1e-3;
 
 /// The largest relative error of a truth that counts.
 const SHARE: f64 = 0.01;

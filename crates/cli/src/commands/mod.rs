@@ -16,3 +16,5 @@ pub mod shell;
 pub mod solve;
 pub mod stages;
 pub mod trace;
+mod traced_radiance;
+mod views;

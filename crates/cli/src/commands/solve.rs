@@ -20,7 +20,7 @@ const TOLERANCE: f64 = 1e-6;
 /// # Errors
 /// [`CliError::Input`] for bad input; [`CliError::Failed`] if the tolerance was not met.
 pub fn run(args: &SolveArgs) -> Result<Data, CliError> {
-    if !args.view_mu.is_empty() {
+    if !args.views.view_mu.is_empty() {
         return radiance::run(args);
     }
     let incidences = order_rows::parse_incidences(&args.slab.mu0)?;

@@ -39,5 +39,9 @@ fn chain(args: &StageArgs, target: Target, talk: Talk) -> Result<Data, CliError>
     if args.json {
         return Ok(stratiform_artifact::to_json(&parameters)?);
     }
-    pipeline::parameter_table(&parameters, config.published_table)
+    let table = pipeline::parameter_table(&parameters, config.published_table)?;
+    match config.family {
+        None => Ok(table),
+        Some(_) => Ok(format!("{table}\n{}", pipeline::family::summary(&args.out)?)),
+    }
 }

@@ -1,7 +1,7 @@
-//! `stratiform trace`: Monte Carlo fluxes per order, as CSV or JSON.
+//! `stratiform trace`: Monte Carlo fluxes per order, as CSV or JSON; with views, `traced_radiance`.
 
 use crate::args::{Estimator, TraceArgs};
-use crate::commands::order_rows;
+use crate::commands::{order_rows, traced_radiance};
 use crate::medium::Medium;
 use crate::output::{Data, Talk};
 use crate::{CliError, interrupt, pipeline, progress};
@@ -14,6 +14,9 @@ use stratiform_transport::{Stop, TraceRequest, Traced};
 /// # Errors
 /// [`CliError::Input`] for bad input; [`CliError::Unmet`], with the result, if the error asked for was not reached.
 pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
+    if !args.views.view_mu.is_empty() {
+        return traced_radiance::run(args, talk);
+    }
     let incidences = order_rows::parse_incidences(&args.slab.mu0)?;
     let requests: Vec<_> = incidences.iter().map(|incidence| request(args, *incidence)).collect();
     for request in &requests {
@@ -28,7 +31,7 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
         let advanced = |done: u64, _total: u64| bar.set_position(done);
         let watch = interrupt::watch();
         let control = pipeline::control(&advanced, &watch);
-        let traced = match args.estimator {
+        let traced = match args.estimator.unwrap_or(Estimator::HalfSpace) {
             Estimator::HalfSpace => stratiform_transport::trace_half_space(medium.traced(), request, control),
             Estimator::Plain => stratiform_transport::trace_plain(medium.traced(), request, control),
         }
@@ -78,7 +81,7 @@ fn render(args: &TraceArgs, medium: &Medium, results: Vec<OrderResult>) -> Resul
     if args.json {
         let inputs =
             (medium.record(), &args.slab.tau, &args.slab.mu0, args.photons, args.std_error, args.orders);
-        let method = match args.estimator {
+        let method = match args.estimator.unwrap_or(Estimator::HalfSpace) {
             Estimator::HalfSpace => {
                 "half-space Monte Carlo; std_error is one standard deviation of the mean, at least 1/(photons + 3)"
             }

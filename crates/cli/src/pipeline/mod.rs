@@ -1,17 +1,23 @@
-//! The chain in order: optics, reference, fit, codegen, witness, agreement, ladder, convergence, notes, report. Each stage leaves files and is
+//! The chain in order: optics, reference, fit, radiance, family, codegen, witness, agreement, ladder, convergence,
+//! principal plane, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;
 mod agreement;
+pub mod angular_books;
 mod convergence;
 mod curves;
 pub mod export;
+pub mod family;
 pub mod fluxes;
+pub mod hemisphere;
 pub mod ladder;
 mod notes;
 pub mod optics;
+mod principal_plane;
 mod published;
 mod quadrature;
+mod radiance;
 pub mod reference;
 mod run;
 pub mod solved;
@@ -54,7 +60,11 @@ pub fn control<'a>(progress: &'a dyn Progress, watch: &Watch) -> Control<'a> {
 /// The number that keeps the photons of one incidence and medium apart from all others: a hash of both, so that it
 /// does not depend on what else is traced.
 pub fn stream_of(incidence: Incidence, medium: Medium) -> u32 {
-    let hash = hash_of(&(incidence, medium));
+    stream_of_hash(&hash_of(&(incidence, medium)))
+}
+
+/// A stream's number from the first digits of a hash.
+pub fn stream_of_hash(hash: &str) -> u32 {
     hash.bytes().take(8).fold(0, |word, digit| (word << 4) | (char::from(digit).to_digit(16).unwrap_or(0)))
 }
 

@@ -73,6 +73,14 @@ pub fn at_transport_wavelength(config: &Config) -> Result<Cloud, CliError> {
     let all = ensembles(&config.optics)?;
     let wavelength = config.transport.wavelength_um;
     let one = all.into_iter().find(|e| e.wavelength_um == wavelength).ok_or_else(|| missing(wavelength))?;
+    of_ensemble(config, one)
+}
+
+/// What the transport needs of an ensemble.
+///
+/// # Errors
+/// [`CliError::Input`] for an albedo out of domain.
+pub fn of_ensemble(config: &Config, one: Ensemble) -> Result<Cloud, CliError> {
     let extinction = [one.extinction.paper, one.extinction.mie];
     cloud(config, one.phase, one.single_scattering_albedo, extinction, [one.asymmetry, one.forward_fraction])
 }

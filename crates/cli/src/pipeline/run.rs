@@ -3,8 +3,8 @@
 use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
-    accepted, agreement, convergence, curves, fluxes, input_error, ladder, notes, optics, published,
-    quadrature, source,
+    accepted, agreement, convergence, curves, family, fluxes, input_error, ladder, notes, optics,
+    principal_plane, published, quadrature, radiance, source,
 };
 use crate::CliError;
 use crate::config::{Config, Source};
@@ -53,7 +53,9 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
     let inputs = chain.inputs(&work, config.transport.source);
     work.stage("reference", &inputs, |dir| source::write_reference(config, &cloud, dir, talk))?;
     work.stage("fit", &(work.hash_of_stage("reference"), &provenance, &config.fit), |dir| chain.fit(dir))?;
+    chain.radiance(&mut work)?;
     let parameters: ParametersDocument = read_json(&out.join("parameters.json"))?;
+    chain.family(&mut work)?;
     if target == Target::Report {
         chain.finish(&mut work, &document, &parameters)?;
     }
@@ -89,6 +91,23 @@ impl Chain<'_> {
         Ok(vec!["parameters.json".to_owned(), "parameters.csv".to_owned()])
     }
 
+    /// The tables of the other effective radii; nothing where the config has none.
+    fn family(&self, work: &mut Workspace) -> Result<(), CliError> {
+        let Self { config, talk, .. } = *self;
+        let Some(radii) = &config.family else {
+            return work.without("family");
+        };
+        work.stage("family", &family::inputs(config, radii), |dir| family::write(config, radii, dir, talk))
+    }
+
+    /// The radiance model, where the config asks for it.
+    fn radiance(&self, work: &mut Workspace) -> Result<(), CliError> {
+        let Self { config, cloud, talk, .. } = *self;
+        let Some(settings) = &config.radiance else { return work.without("radiance") };
+        let inputs = (work.hash_of_stage("optics"), radiance::provenance(config, settings));
+        work.stage("radiance", &inputs, |dir| radiance::write(config, settings, cloud, dir, talk))
+    }
+
     /// The stages after the fit.
     fn finish(
         &self,
@@ -103,12 +122,22 @@ impl Chain<'_> {
         self.agreement(work, parameters)?;
         self.ladder(work, parameters)?;
         self.convergence(work, &before)?;
+        self.principal_plane(work, parameters)?;
         work.stage("notes", &(&before, provenance, config.published_table), |dir| {
             notes(config, document, cloud, parameters, provenance, dir)
         })?;
-        let inputs =
-            ["optics", "reference", "fit", "agreement", "ladder", "convergence", "quadrature", "notes"]
-                .map(|stage| work.hash_of_stage(stage));
+        let inputs = [
+            "optics",
+            "reference",
+            "fit",
+            "agreement",
+            "ladder",
+            "convergence",
+            "quadrature",
+            "principal-plane",
+            "notes",
+        ]
+        .map(|stage| work.hash_of_stage(stage));
         work.stage("report", &inputs, report)?;
         talk.say(format!("\n{}\n", ladder::table(&read_csv::<LadderRow>(&work.dir().join("ladder.csv"))?)));
         if let Some(agreement) = agreement::read(work.dir()) {
@@ -166,6 +195,19 @@ impl Chain<'_> {
         })?;
         let inputs = (&config.optics, config.transport.wavelength_um, settings.most_radii);
         work.stage("quadrature", &inputs, |dir| quadrature::write(config, settings.most_radii, dir))
+    }
+}
+
+impl Chain<'_> {
+    /// Radiance in the plane of the sun; nothing where the config does not ask for it.
+    fn principal_plane(&self, work: &mut Workspace, parameters: &ParametersDocument) -> Result<(), CliError> {
+        let Self { config, cloud, talk, .. } = *self;
+        let Some(settings) = &config.principal_plane else { return work.without("principal-plane") };
+        let inputs =
+            (["optics", "fit"].map(|stage| work.hash_of_stage(stage)), settings, config.transport.seed);
+        work.stage("principal-plane", &inputs, |dir| {
+            principal_plane::write(config, settings, cloud, parameters, dir, talk)
+        })
     }
 }
 

@@ -113,8 +113,17 @@ pub fn fit(
     references: &[Reference],
     provenance: Provenance,
 ) -> Result<ParametersDocument, CliError> {
+    let medium = medium(config, cloud)?;
+    stratiform_fit::fit(&config.fit, references, medium, provenance).map_err(input_error)
+}
+
+/// What artifacts say of the cloud.
+///
+/// # Errors
+/// [`CliError::Input`] if θ_f is out of domain.
+pub fn medium(config: &Config, cloud: &Cloud) -> Result<MediumRecord, CliError> {
     let theta_f_deg = config.optics.theta_f_deg;
-    let medium = MediumRecord {
+    Ok(MediumRecord {
         wavelength_um: config.transport.wavelength_um,
         extinction_convention: config.transport.extinction_convention,
         extinction_per_m: cloud.extinction_per_m,
@@ -122,8 +131,7 @@ pub fn fit(
         asymmetry: cloud.asymmetry,
         theta_f_deg,
         forward_fraction: cloud.phase.forward_fraction(theta_f_deg).map_err(input_error)?,
-    };
-    stratiform_fit::fit(&config.fit, references, medium, provenance).map_err(input_error)
+    })
 }
 
 /// Both from the solver, in one go.

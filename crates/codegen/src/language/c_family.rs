@@ -2,7 +2,7 @@
 
 use super::layout::{Broken, Lines};
 use super::syntax::{Expr, Function, Item, Named, Statement, Type};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What sets one language of the family apart.
 pub(super) struct Dialect {
@@ -21,18 +21,29 @@ pub(super) struct Dialect {
     pub c: bool,
 }
 
-/// The items as text. With `members` (a name and its first lines) the functions become members of that structure.
-pub(super) fn print(items: &[Item], dialect: &Dialect, members: Option<(&str, &str)>) -> String {
+/// A structure that the functions become members of.
+pub(super) struct Members<'a> {
+    /// Its name.
+    pub owner: &'a str,
+    /// Its first lines.
+    pub text: &'a str,
+    /// Functions that are members of another structure, each with its name here.
+    pub callees: &'a BTreeMap<String, String>,
+}
+
+/// The items from `own` on as text.
+pub(super) fn print(items: &[Item], own: usize, dialect: &Dialect, members: Option<Members<'_>>) -> String {
     let structs = items.iter().filter_map(|item| match item {
         Item::Struct(_, name, _) => Some(name.as_str()),
         _ => None,
     });
     let lines = Lines::default();
-    let mut printer = Printer { dialect, structs: structs.collect(), lines, member: members.is_some() };
+    let mut printer = Printer { dialect, structs: structs.collect(), lines, members: members.as_ref() };
+    let items = &items[own..];
     let first = items.iter().position(|item| matches!(item, Item::Function(_))).unwrap_or(items.len());
     items[..first].iter().for_each(|item| printer.item(item));
-    if let Some((name, text)) = members {
-        printer.lines.push(&format!("struct {name} {{"));
+    if let Some(Members { owner, text, .. }) = &members {
+        printer.lines.push(&format!("struct {owner} {{"));
         printer.lines.indent();
         text.lines().for_each(|line| printer.lines.push(line));
     }
@@ -48,8 +59,7 @@ struct Printer<'a> {
     dialect: &'a Dialect,
     structs: BTreeSet<&'a str>,
     lines: Lines,
-    /// Whether functions are members.
-    member: bool,
+    members: Option<&'a Members<'a>>,
 }
 
 impl Printer<'_> {
@@ -99,7 +109,8 @@ impl Printer<'_> {
         if parameters.is_empty() && self.dialect.c {
             parameters.push("void".to_owned());
         }
-        let (before, after) = if self.member { ("", ") const {") } else { (self.dialect.function, ") {") };
+        let (before, after) =
+            if self.members.is_some() { ("", ") const {") } else { (self.dialect.function, ") {") };
         let open = format!("{before}{} {}(", self.kind(&function.result), function.name);
         let head = Broken { open, parts: parameters, joint: ", ", close: after.to_owned() };
         self.lines.push_broken("", &head, "");
@@ -242,7 +253,10 @@ impl Printer<'_> {
         match name {
             "abs" | "min" | "max" if self.dialect.c => format!("f{name}f"),
             "exp" | "log" | "sqrt" | "floor" | "sin" | "cos" | "pow" if self.dialect.c => format!("{name}f"),
-            _ => name.to_owned(),
+            _ => match self.members.and_then(|members| members.callees.get(name)) {
+                Some(structure) => format!("{structure}.{name}"),
+                None => name.to_owned(),
+            },
         }
     }
 

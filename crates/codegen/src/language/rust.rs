@@ -4,14 +4,14 @@ use super::layout::{Broken, Lines};
 use super::syntax::{Expr, Function, Item, Named, Statement, Type};
 use std::collections::BTreeMap;
 
-/// The items as text.
-pub(super) fn print(items: &[Item]) -> String {
+/// The items from `own` on as text.
+pub(super) fn print(items: &[Item], own: usize) -> String {
     let structs = items.iter().filter_map(|item| match item {
         Item::Struct(_, name, fields) => Some((name.as_str(), fields.as_slice())),
         _ => None,
     });
     let mut printer = Printer { structs: structs.collect(), lines: Lines::default() };
-    items.iter().for_each(|item| printer.item(item));
+    items[own..].iter().for_each(|item| printer.item(item));
     printer.lines.into_text()
 }
 

@@ -1,10 +1,11 @@
 //! The targets and what sets them apart.
 
-use super::c_family::{self, Dialect};
+use super::c_family::{self, Dialect, Members};
 use super::parse::parse;
-use super::syntax::Type;
+use super::syntax::{Item, Type};
 use super::{SubsetError, rust};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A language that is emitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -62,18 +63,30 @@ impl Target {
         }
     }
 
-    /// How the file is used, for its header.
-    pub(crate) fn usage(self) -> &'static str {
+    /// How the file is used, for its header, where it stands below the files `needs`.
+    pub(crate) fn usage(self, needs: &[String]) -> String {
+        let needs = needs.join(", ");
+        let paste = |version: &str| match (needs.as_str(), version) {
+            ("", "") => "paste it above your entry points".to_owned(),
+            ("", version) => format!("paste it below #version {version}"),
+            (needs, _) => format!("paste it below {needs}"),
+        };
+        let beside = |text: &str| match needs.as_str() {
+            "" => text.to_owned(),
+            needs => format!("{text}; it wants {needs} beside it"),
+        };
         match self {
-            Self::Wgsl => "paste it above your entry points",
-            Self::Glsl450 => "paste it below #version 450",
-            Self::Glsl330 => "paste it below #version 330",
-            Self::Glsl300Es => "paste it below #version 300 es",
-            Self::Hlsl => "include or paste it; shader model 5.0 or later",
-            Self::Msl => "include or paste it; Metal 2.0 or later",
-            Self::C => "include it, in as many places as you like; C99 or C++11 and later; link with -lm",
-            Self::Rust => "make it a module of your crate; edition 2021 or later",
-            Self::Spirv => "",
+            Self::Wgsl => paste(""),
+            Self::Glsl450 => paste("450"),
+            Self::Glsl330 => paste("330"),
+            Self::Glsl300Es => paste("300 es"),
+            Self::Hlsl => beside("include or paste it; shader model 5.0 or later"),
+            Self::Msl => beside("include or paste it; Metal 2.0 or later"),
+            Self::C => {
+                beside("include it, in as many places as you like; C99 or C++11 and later; link with -lm")
+            }
+            Self::Rust => beside("make it a module of your crate; edition 2021 or later"),
+            Self::Spirv => String::new(),
         }
     }
 
@@ -112,7 +125,7 @@ impl Target {
     }
 }
 
-/// A library before it is printed: `code` in the subset, which may call the one function of `glue`.
+/// A library before it is printed: `code` in the subset, which may call the one function of `glue` and all of `needs`.
 pub(crate) struct Library<'a> {
     /// Comment lines.
     pub head: String,
@@ -120,50 +133,108 @@ pub(crate) struct Library<'a> {
     pub name: &'a str,
     /// WGSL in the subset.
     pub code: String,
+    /// The structure whose members the functions become in MSL, where no buffer is bound at program scope; none if they
+    /// reach no table.
+    pub owner: Option<&'a str>,
     /// What the language needs to reach data; none if nothing.
     pub glue: Option<Glue<'a>>,
+    /// Libraries that stand above it, each below those that it needs.
+    pub needs: Vec<&'a Library<'a>>,
 }
 
 /// The function that reads the bound table, `(row: u32, index: u32) -> f32`.
 pub(crate) struct Glue<'a> {
     pub function: &'a str,
-    /// The structure whose members the functions become in MSL, where no buffer is bound at program scope.
-    pub owner: &'a str,
     pub text: Box<dyn Fn(Target) -> String>,
+}
+
+/// A library as a tree.
+struct Tree {
+    /// The items of the needed libraries and its own.
+    items: Vec<Item>,
+    /// Where its own begin.
+    own: usize,
+    /// In MSL: functions of needed libraries that are members, each with the structure that it is called on.
+    callees: BTreeMap<String, String>,
+}
+
+/// What a structure is called as a member of another: `StratiformPhase phase`.
+fn member(owner: &str) -> String {
+    owner.trim_start_matches("Stratiform").to_lowercase()
+}
+
+fn tree(library: &Library<'_>) -> Result<Tree, SubsetError> {
+    let glues = library.needs.iter().copied().chain([library]).filter_map(|one| one.glue.as_ref());
+    let externals: Vec<_> = glues.map(|glue| (glue.function, Type::F32)).collect();
+    let (mut text, mut own, mut callees) = (String::new(), 0, BTreeMap::new());
+    for needed in &library.needs {
+        text.push_str(&needed.code);
+        let items = parse(&text, &externals)?;
+        for item in &items[own..] {
+            if let (Some(owner), Item::Function(function)) = (needed.owner, item) {
+                callees.insert(function.name.clone(), member(owner));
+            }
+        }
+        own = items.len();
+    }
+    let above = text.lines().count();
+    text.push_str(&library.code);
+    let place = |error: SubsetError| SubsetError { line: error.line.saturating_sub(above), ..error };
+    Ok(Tree { items: parse(&text, &externals).map_err(place)?, own, callees })
+}
+
+/// The first lines of the structure that the functions are members of.
+fn members(library: &Library<'_>, glue: &str) -> String {
+    let needed = library.needs.iter().filter_map(|needed| needed.owner);
+    let needed: String = needed.map(|owner| format!("{owner} {};\n", member(owner))).collect();
+    format!("{needed}{}{glue}", if needed.is_empty() { "" } else { "\n" })
 }
 
 /// The library in the language of `target`; none for SPIR-V.
 pub(crate) fn translate(library: &Library<'_>, target: Target) -> Result<Option<String>, SubsetError> {
     let Some(extension) = target.extension() else { return Ok(None) };
-    let externals: Vec<_> = library.glue.iter().map(|glue| (glue.function, Type::F32)).collect();
-    let items = parse(&library.code, &externals)?;
-    let glue_text = library.glue.as_ref().map_or(String::new(), |glue| (glue.text)(target));
-    let code = match target {
-        Target::Wgsl => library.code.clone(),
-        Target::Rust => rust::print(&items),
-        Target::Msl => c_family::print(
-            &items,
-            &target.dialect(),
-            library.glue.as_ref().map(|glue| (glue.owner, &*glue_text)),
-        ),
-        other => c_family::print(&items, &other.dialect(), None),
+    let tree = tree(library)?;
+    let glue = library.glue.as_ref().map_or(String::new(), |glue| (glue.text)(target));
+    let print = |members| c_family::print(&tree.items, tree.own, &target.dialect(), members);
+    let code = match (target, library.owner) {
+        (Target::Wgsl, _) => glue + &library.code,
+        (Target::Rust, _) => glue + &rust::print(&tree.items, tree.own),
+        (Target::Msl, Some(owner)) => {
+            let text = members(library, &glue);
+            print(Some(Members { owner, text: &text, callees: &tree.callees }))
+        }
+        _ => glue + &print(None),
     };
-    let glue = if target == Target::Msl { String::new() } else { glue_text };
+    let (before, after) = frame(library, target, extension);
+    let usage =
+        target.usage(&library.needs.iter().map(|n| format!("{}.{extension}", n.name)).collect::<Vec<_>>());
+    let head = library.head.replace("@USE@", &format!("{}.{extension}: {usage}", library.name));
+    Ok(Some(format!("{head}\n{before}{code}{after}")))
+}
+
+/// What stands above and below the code.
+fn frame(library: &Library<'_>, target: Target, extension: &str) -> (String, String) {
     let guard = format!("{}_H", library.name.to_uppercase());
+    let needed: String =
+        library.needs.iter().map(|needed| format!("#include \"{}.{extension}\"\n", needed.name)).collect();
+    let needed = if needed.is_empty() { needed } else { needed + "\n" };
     let guarded = |includes: &str| {
         let end = if target == Target::C { format!("/* {guard} */") } else { format!("// {guard}") };
-        (format!("#ifndef {guard}\n#define {guard}\n\n{includes}"), format!("\n#endif {end}\n"))
+        (format!("#ifndef {guard}\n#define {guard}\n\n{includes}{needed}"), format!("\n#endif {end}\n"))
     };
-    let (before, after) = match target {
+    match target {
         Target::C => guarded("#include <math.h>\n#include <stdbool.h>\n#include <stdint.h>\n\n"),
         Target::Msl => guarded("#include <metal_stdlib>\nusing namespace metal;\n\n"),
         Target::Hlsl => guarded(""),
         Target::Glsl300Es => ("precision highp float;\nprecision highp int;\n\n".to_owned(), String::new()),
-        Target::Rust => (RUST_ALLOWED.to_owned(), String::new()),
+        Target::Rust => {
+            let needed = library.needs.iter().map(|needed| format!("use super::{}::*;\n", needed.name));
+            let needed: String = needed.collect();
+            let gap = if needed.is_empty() { "" } else { "\n" };
+            (format!("{RUST_ALLOWED}{needed}{gap}"), String::new())
+        }
         _ => Default::default(),
-    };
-    let head = library.head.replace("@USE@", &format!("{}.{extension}: {}", library.name, target.usage()));
-    Ok(Some(format!("{head}\n{before}{glue}{code}{after}")))
+    }
 }
 
 /// Lints that generated text cannot please: a table of nodes, and literals with all their digits.

@@ -31,8 +31,8 @@ fn stratiform_pair(i: u32, x: f32) -> StratiformPair {
 ";
 
 fn printed(text: &str, target: Target) -> Result<String, SubsetError> {
-    let library =
-        Library { head: "// Head.\n".to_owned(), name: "stratiform_x", code: text.to_owned(), glue: None };
+    let (head, code) = ("// Head.\n".to_owned(), text.to_owned());
+    let library = Library { head, name: "stratiform_x", code, owner: None, glue: None, needs: Vec::new() };
     translate(&library, target).map(Option::unwrap_or_default)
 }
 

@@ -4,10 +4,15 @@ const STRATIFORM_PHASE_COUNT: u32 = @COUNT@u;
 const STRATIFORM_WIDE_SCALE: f32 = @WIDE_SCALE@;
 const STRATIFORM_WIDE_EDGE: f32 = @WIDE_EDGE@;
 
-// acos(1 - v) for v = 1 - cosTheta in [0, 2]; error below 1e-7 of pi, relative at both ends. Abramowitz & Stegun 1964, 4.4.46.
-fn stratiform_arc(v: f32) -> f32 {
-    let nearest = min(v, 2.0 - v);
-    let x = 1.0 - nearest;
+// Where a row is read: between texels cell and cell + 1, at the share of the second.
+struct StratiformPlace {
+    cell: u32,
+    share: f32,
+}
+
+// acos(1 - v) for v = 1 - cosTheta in [0, 1]; relative error below 1e-7 of pi / 2. Abramowitz & Stegun 1964, 4.4.46.
+fn stratiform_near_arc(v: f32) -> f32 {
+    let x = 1.0 - v;
     var sum = -0.0012624911;
     sum = sum * x + 0.0066700901;
     sum = sum * x - 0.0170881256;
@@ -16,7 +21,12 @@ fn stratiform_arc(v: f32) -> f32 {
     sum = sum * x + 0.0889789874;
     sum = sum * x - 0.2145988016;
     sum = sum * x + 1.5707963050;
-    let arc = sqrt(max(nearest, 0.0)) * sum;
+    return sqrt(max(v, 0.0)) * sum;
+}
+
+// acos(1 - v) for v in [0, 2].
+fn stratiform_arc(v: f32) -> f32 {
+    let arc = stratiform_near_arc(min(v, 2.0 - v));
     return select(3.14159265 - arc, arc, v <= 1.0);
 }
 
@@ -38,29 +48,45 @@ fn stratiform_phase_angle(coordinate: f32) -> f32 {
     return 3.14159265 - 6.28318531 * back * back;
 }
 
-// Row `row` at v, linear in the coordinate.
-fn stratiform_phase_lookup(row: u32, v: f32) -> f32 {
-    let place = stratiform_phase_coordinate(stratiform_arc(v)) * f32(STRATIFORM_PHASE_COUNT - 1u);
+// Where v is in every row.
+fn stratiform_phase_place(v: f32) -> StratiformPlace {
+    let nearest = sqrt(stratiform_near_arc(min(v, 2.0 - v)) * 0.159154943);
+    let place = select(1.0 - nearest, nearest, v <= 1.0) * f32(STRATIFORM_PHASE_COUNT - 1u);
     let whole = u32(place);
     let cell = select(STRATIFORM_PHASE_COUNT - 2u, whole, whole < STRATIFORM_PHASE_COUNT - 2u);
-    let first = stratiform_phase_texel(row, cell);
-    let second = stratiform_phase_texel(row, cell + 1u);
-    return first + (second - first) * (place - f32(cell));
+    return StratiformPlace(cell, place - f32(cell));
+}
+
+// Row `row` there, linear in the coordinate.
+fn stratiform_phase_row(row: u32, place: StratiformPlace) -> f32 {
+    let first = stratiform_phase_texel(row, place.cell);
+    let second = stratiform_phase_texel(row, place.cell + 1u);
+    return first + (second - first) * place.share;
 }
 
 // P of the full medium at v = 1 - cosTheta.
 fn stratiform_phase(v: f32) -> f32 {
-    return stratiform_phase_lookup(0u, v);
+    return stratiform_phase_row(0u, stratiform_phase_place(v));
+}
+
+// P_S of the modified medium at v, whose place is given.
+fn stratiform_phase_modified_at(place: StratiformPlace, v: f32) -> f32 {
+    return select(0.0, STRATIFORM_WIDE_SCALE * stratiform_phase_row(0u, place), v >= STRATIFORM_WIDE_EDGE);
 }
 
 // P_S of the modified medium at v = 1 - cosTheta.
 fn stratiform_phase_modified(v: f32) -> f32 {
-    return select(0.0, STRATIFORM_WIDE_SCALE * stratiform_phase(v), v >= STRATIFORM_WIDE_EDGE);
+    return stratiform_phase_modified_at(stratiform_phase_place(v), v);
+}
+
+// P_S convolved with itself on the sphere, at a place.
+fn stratiform_phase_squared_at(place: StratiformPlace) -> f32 {
+    return stratiform_phase_row(1u, place);
 }
 
 // P_S convolved with itself on the sphere, at v = 1 - cosTheta.
 fn stratiform_phase_squared(v: f32) -> f32 {
-    return stratiform_phase_lookup(1u, v);
+    return stratiform_phase_squared_at(stratiform_phase_place(v));
 }
 
 // ---- self-test ---------------------------------------------------------------------------------------------------

@@ -2,18 +2,25 @@
 //!
 //! `stratiform_transport`: the plain three-dimensional tracer, one slab at a time, and the half-space tracer, one history for every
 //! thickness; through the full or the modified medium (Bouthors et al. 2006, section 4.1). Analog, so that standard errors are binomial.
-//! Hufnagel & Held's class: path tracing (4.1.3). Fluxes. Domain: τ ≤ 1e4, since a lossless slab of τ takes 2τ scatterings a photon.
+//! Fluxes; radiances by local estimates (plain tracer only), whose spikes in the full medium errors state. Hufnagel & Held's class: path
+//! tracing (4.1.3). Domain: τ ≤ 1e4, since a lossless slab of τ takes 2τ scatterings a photon.
 //! In the modified medium T counts light that met forward events only as unscattered, which the total does not see.
 
 use crate::grid::FluxGrid;
+use crate::shade::exact;
 use crate::simple::Simple;
 use crate::{Card, Class, Cloud, Domain, FluxPair, FluxPoint, MethodError, Point, Ready};
 use std::sync::Arc;
 use stratiform_quantities::{Incidence, Medium, Order, Range};
 use stratiform_stats::Estimate;
+use stratiform_transport::radiance::{MAX_CELLS, RadianceRequest, trace_radiance};
+use stratiform_transport::solve::View;
 use stratiform_transport::{
     Control, Stop, TraceMedium, TraceRequest, Traced, TransportError, trace_half_space, trace_plain,
 };
+
+/// Views of one trace, each with two rows.
+const VIEWS: usize = MAX_CELLS / 2;
 
 type Tracer = fn(&TraceMedium, &TraceRequest, Control<'_>) -> Result<Traced, TransportError>;
 
@@ -51,9 +58,37 @@ impl MonteCarlo {
     }
 }
 
+impl MonteCarlo {
+    /// Local estimates of one slab and one sun. `stream` tells slabs and suns apart.
+    fn views(&self, stream: usize, tau: f64, mu0: f64, views: &[View]) -> Result<Vec<Estimate>, MethodError> {
+        let (photons, stream) = (self.photons, u32::try_from(stream).unwrap_or(u32::MAX));
+        let request = RadianceRequest { tau, mu0, photons, max_order: 0, seed: 1, stream };
+        let mut values = Vec::new();
+        for views in views.chunks(VIEWS) {
+            let traced = trace_radiance(&self.medium, &request, views, Control::default());
+            let traced = traced.map_err(|error| self.card.failed(&error))?;
+            values.extend((0..views.len()).map(|view| traced.estimate(view, Order::Total)));
+        }
+        Ok(values)
+    }
+}
+
 impl Ready for MonteCarlo {
-    fn radiances(&self, _points: &[Point]) -> Result<Vec<Estimate>, MethodError> {
-        self.card.gives_radiance().map(|()| Vec::new())
+    fn radiances(&self, points: &[Point]) -> Result<Vec<Estimate>, MethodError> {
+        self.card.gives_radiance()?;
+        points.iter().try_for_each(|point| self.card.domain.check(point))?;
+        let slabs = slabs(points);
+        let mut values = vec![exact(0.0); points.len()];
+        for (stream, slab) in slabs.iter().enumerate() {
+            let Point { tau, mu_l, .. } = points[slab[0]];
+            let view =
+                |i: &usize| View { side: points[*i].side, mu: points[*i].mu_v, phi_deg: points[*i].phi_deg };
+            let views: Vec<View> = slab.iter().map(view).collect();
+            for (point, value) in slab.iter().zip(self.views(stream, tau, mu_l, &views)?) {
+                values[*point] = value;
+            }
+        }
+        Ok(values)
     }
 
     fn fluxes(&self, points: &[FluxPoint]) -> Result<Vec<FluxPair>, MethodError> {
@@ -63,6 +98,22 @@ impl Ready for MonteCarlo {
         let suns = suns.collect::<Result<Vec<_>, _>>()?;
         Ok(grid.places.iter().map(|(tau, sun)| suns[*sun][*tau]).collect())
     }
+}
+
+/// Points by thickness and sun, in the order in which these first stand.
+fn slabs(points: &[Point]) -> Vec<Vec<usize>> {
+    let mut slabs: Vec<Vec<usize>> = Vec::new();
+    for (i, point) in points.iter().enumerate() {
+        let same = |slab: &&mut Vec<usize>| {
+            let first = &points[slab[0]];
+            first.tau == point.tau && first.mu_l == point.mu_l
+        };
+        match slabs.iter_mut().find(same) {
+            Some(slab) => slab.push(i),
+            None => slabs.push(vec![i]),
+        }
+    }
+    slabs
 }
 
 /// The name without its knob.
@@ -93,7 +144,7 @@ pub(crate) fn method(geometry: Geometry, medium: Medium, photons: f64) -> Simple
         source: "Analog photon tracing; half-space histories serve every thickness",
         class: Class::PathTracing,
         domain: Domain { tau: Range::closed(0.0, 1e4), ..Domain::EVERYWHERE },
-        radiance: false,
+        radiance: geometry == Geometry::Plain,
         flux: true,
         table_bytes: None,
     };

@@ -11,14 +11,15 @@
 //! successors) march this integral; in a homogeneous slab it is closed. P is the cloud's own, or Henyey and Greenstein's with the
 //! cloud's g, or the blend of Jendersie & d'Eon 2023 at the diameter that suits the cloud best. No fluxes.
 
-use crate::lobe::{Hg, Lobe};
+use crate::lobe::{Hg, HgDraine, Lobe};
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
 use crate::scalar::{Scalar, least, mean_decay};
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
 use crate::{Card, Class, Cloud, Domain, MethodError, Ready};
 use stratiform_model::angular::Sight;
-use stratiform_quantities::Side;
+use stratiform_quantities::{Range, Side};
+use stratiform_tables::nearest::{Objective, jendersie_deon, nearest_diameter};
 
 /// Light scattered once per unit of ωP; the sun's path is dimmed by `dimming` times its extinction.
 pub(crate) fn once<F: Scalar>(tau: F, sight: &Sight<F>, dimming: F) -> F {
@@ -100,5 +101,18 @@ pub(crate) fn hg() -> Simple {
     Simple::new(card, |card, cloud| {
         let g = cloud.asymmetry();
         Ok::<_, MethodError>(shaded(card, cloud, (Hg { g }, Hg { g: g as f32 })))
+    })
+}
+
+/// With the Henyey–Greenstein and Draine blend of the droplet diameter that is nearest to the cloud's phase function. The fit is for
+/// diameters from 5 to 50 µm.
+pub(crate) fn hg_draine() -> Simple {
+    let source = "Chandrasekhar 1950, Radiative Transfer, section 45.3; Jendersie & d'Eon 2023, An Approximate Mie Scattering Function for Fog \
+                  and Cloud Rendering";
+    let card = card("single-hg-draine", "Single scattering, Henyey–Greenstein and Draine", source, 0);
+    let card = Card { domain: Domain { r_eff_um: Range::closed(2.5, 25.0), ..card.domain }, ..card };
+    Simple::new(card, |card, cloud| {
+        let blend = jendersie_deon(nearest_diameter(cloud.phase(), Objective::Scattered)?)?;
+        Ok(shaded(card, cloud, (HgDraine::new(&blend), HgDraine::new(&blend))))
     })
 }

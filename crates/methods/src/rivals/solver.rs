@@ -44,7 +44,8 @@ impl Ready for Streams {
             return Ok(Vec::new());
         }
         let grid = FluxGrid::of(points);
-        let beams: Vec<Incidence> = grid.mu_l.iter().map(|mu| Incidence::beam(*mu)).collect::<Result<_, _>>()?;
+        let beams: Vec<Incidence> =
+            grid.mu_l.iter().map(|mu| Incidence::beam(*mu)).collect::<Result<_, _>>()?;
         let solved = self.fluxes.totals_with_streams(self.streams, &grid.tau, &beams);
         let solved = solved.map_err(|error| self.card.failed(&error))?;
         let pair = |(tau, sun): &(usize, usize)| {

@@ -93,11 +93,8 @@ impl<F: Scalar> TwoStream<F> {
         let slab = half + half * decay * decay + self.gamma1 * t * mean_decay(two * k * t);
         // ∫ e^-at {S, C}(τ-t) dt.
         let sines_up = t * second_mean((a + k) * t, two * k * t);
-        let both = if a < k {
-            (-(a * t)).exp() * mean_decay((k - a) * t)
-        } else {
-            decay * mean_decay((a - k) * t)
-        };
+        let both =
+            if a < k { (-(a * t)).exp() * mean_decay((k - a) * t) } else { decay * mean_decay((a - k) * t) };
         let cosines_up = decay * both + k * sines_up;
         // ∫ e^-at {S, C}(t) dt.
         let sines_down = if a < k {
@@ -120,9 +117,7 @@ impl<F: Scalar> Shade<F> for TwoStream<F> {
         let flux = if sight.side == Side::Top { up } else { down };
         match self.closure {
             Closure::Quadrature => flux,
-            Closure::DeltaEddington | Closure::Diffusion => {
-                flux * (F::of(0.5) + F::of(0.75) * sight.mu_v)
-            }
+            Closure::DeltaEddington | Closure::Diffusion => flux * (F::of(0.5) + F::of(0.75) * sight.mu_v),
         }
     }
 
@@ -134,15 +129,21 @@ impl<F: Scalar> Shade<F> for TwoStream<F> {
 
 fn card(closure: Closure) -> Card {
     let (name, title, source) = match closure {
-        Closure::Quadrature => {
-            ("two-stream", "Two streams", "Meador & Weaver 1980, table 1 (quadrature), scaled as by Joseph et al. 1976")
-        }
-        Closure::DeltaEddington => {
-            ("delta-eddington", "δ-Eddington", "Joseph, Wiscombe & Weinman 1976; Meador & Weaver 1980, table 1")
-        }
-        Closure::Diffusion => {
-            ("diffusion", "Diffusion", "Stam 1995, Multiple scattering as a diffusion process; reduced extinction")
-        }
+        Closure::Quadrature => (
+            "two-stream",
+            "Two streams",
+            "Meador & Weaver 1980, table 1 (quadrature), scaled as by Joseph et al. 1976",
+        ),
+        Closure::DeltaEddington => (
+            "delta-eddington",
+            "δ-Eddington",
+            "Joseph, Wiscombe & Weinman 1976; Meador & Weaver 1980, table 1",
+        ),
+        Closure::Diffusion => (
+            "diffusion",
+            "Diffusion",
+            "Stam 1995, Multiple scattering as a diffusion process; reduced extinction",
+        ),
     };
     let lowest = if closure == Closure::Quadrature { 0.0 } else { 0.8 };
     Card {

@@ -10,11 +10,12 @@
 //! I2 (4.4)   reflected    P_S²/8 (1 - (1+X) e^-X)/(μ_l+μ_v)
 //!            transmitted  P_S²/8 x/(μ_l μ_v) e^-m (m φ1(d) + φ2(d))   φ2 = (1-(1+d)e^-d)/d
 //! I3+ (4.5)  either       R_3+ or T_3+ times 1/(2μ_v), 1 or K(μ_v): see Emission
+//! I0  (4.2)  transmitted  see [`halo`]
 //! ```
 //!
 //! P_S² is the convolution on the sphere, moments χ_l². [`as_printed`] keeps the paper's own forms.
 //!
-//! * **Media.** I1, I2 and I3+ belong to the modified medium; I0 to the full one.
+//! * **Media.** I1, I2 and I3+ belong to the modified medium; [`halo`] (I0) to the full one.
 //! * **Accuracy.** Nothing cancels and nothing overflows for x from 0 to 1e4 and μ from 1e-4 to 1, in f32 and f64:
 //!   relative error of the weights below (4 + 2m) ε (m only where light goes through), until they underflow to 0. At μ_l = 0 the limit is taken.
 //! * **What it is worth** against exact radiance: I1 exact in the modified medium; I2 and I3+ as the module of energy
@@ -22,6 +23,7 @@
 
 pub mod as_printed;
 mod emission;
+pub mod halo;
 mod orders;
 mod path;
 mod sight;

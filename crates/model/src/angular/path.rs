@@ -19,7 +19,7 @@ use stratiform_quantities::Side;
 const DARK: f64 = 1e4;
 
 /// x/μ, finite at μ = 0.
-fn slant<F: Real>(x: F, mu: F) -> F {
+pub(super) fn slant<F: Real>(x: F, mu: F) -> F {
     let (path, dark) = (x / mu, F::of(DARK));
     if path < dark { path } else { dark }
 }

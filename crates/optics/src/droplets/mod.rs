@@ -91,6 +91,34 @@ impl DropletDistribution {
         }
     }
 
+    /// The same law at another effective radius, µm; its width in units of the radius stays.
+    ///
+    /// # Errors
+    /// [`OpticsError`] for a tabulated distribution, and as [`resolve`](Self::resolve).
+    pub fn at_effective_radius(&self, radius_um: f64) -> Result<Self, OpticsError> {
+        let stretch = radius_um / self.resolve()?.effective_radius();
+        let law = match *self {
+            Self::ModifiedGamma { gamma, .. } => {
+                Self::ModifiedGamma { gamma, effective_radius_um: radius_um }
+            }
+            Self::GeneralisedGamma { alpha, b, c } => {
+                Self::GeneralisedGamma { alpha, b: b * libm::pow(stretch, -c), c }
+            }
+            Self::Lognormal { sigma, effective_variance, .. } => Self::Lognormal {
+                effective_radius_um: Some(radius_um),
+                median_radius_um: None,
+                sigma,
+                effective_variance,
+            },
+            Self::SingleSize { .. } => Self::SingleSize { radius_um },
+            Self::Tabulated { .. } => {
+                let message = "a tabulated droplet distribution has one effective radius and gives no other";
+                return Err(OpticsError::Config(message.to_owned()));
+            }
+        };
+        law.resolve().map(|_| law)
+    }
+
     /// Checks the numbers, reads the file.
     ///
     /// # Errors

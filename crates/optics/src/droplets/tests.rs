@@ -110,3 +110,25 @@ fn numbers_out_of_domain_are_refused() {
         assert!(law.resolve().is_err(), "{law:?}");
     }
 }
+
+#[test]
+fn a_law_keeps_its_width_at_another_effective_radius() {
+    let laws = [
+        DropletDistribution::ModifiedGamma { gamma: 2.0, effective_radius_um: 7.0 },
+        DropletDistribution::GeneralisedGamma { alpha: 6.0, b: 1.5, c: 1.2 },
+        DropletDistribution::Lognormal {
+            effective_radius_um: None,
+            median_radius_um: Some(5.0),
+            sigma: Some(0.3),
+            effective_variance: None,
+        },
+        DropletDistribution::SingleSize { radius_um: 3.0 },
+    ];
+    for law in laws {
+        let width = law.resolve().unwrap().effective_variance();
+        let other = law.at_effective_radius(12.0).unwrap().resolve().unwrap();
+        assert!((other.effective_radius() / 12.0 - 1.0).abs() < 1e-12, "{other:?}");
+        assert!((other.effective_variance() - width).abs() < 1e-12, "{other:?}");
+        assert!(law.at_effective_radius(f64::NAN).is_err() && law.at_effective_radius(0.0).is_err());
+    }
+}

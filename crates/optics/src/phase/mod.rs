@@ -4,6 +4,7 @@ mod cell;
 mod draine;
 mod expand;
 pub(crate) mod gauss;
+mod halo;
 mod henyey_greenstein;
 mod isotropic;
 mod legendre;
@@ -15,6 +16,7 @@ mod table;
 
 pub use draine::Draine;
 pub use gauss::gauss_legendre;
+pub use halo::{Halo, HaloTable};
 pub use henyey_greenstein::HenyeyGreenstein;
 pub use isotropic::Isotropic;
 pub use modified::Modified;

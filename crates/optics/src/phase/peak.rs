@@ -73,7 +73,7 @@ impl PhaseTable {
     }
 
     /// The number of moments whose squares matter: the rest of Σ(2l+1)χ_l² is below 1e-4 of the sum.
-    fn square_order(&self) -> usize {
+    pub(super) fn square_order(&self) -> usize {
         const MOST: usize = 1 << 13;
         let mut count = 256;
         loop {

@@ -7,6 +7,7 @@ use crate::walk::{End, Walk, sunbeam};
 use crate::{Control, TraceMedium, TransportError};
 use glam::DVec3;
 use std::f64::consts::PI;
+use std::ops;
 use stratiform_quantities::{Order, Range, Side};
 use stratiform_stats::{Estimate, Purpose, key, photon_stream};
 
@@ -88,7 +89,7 @@ pub fn trace_radiance_bins(
     request.check(bins.len())?;
     let walk = Walk { medium, bottom: request.bottom(medium) };
     let key = key(request.seed, Purpose::RadianceInBins(request.stream));
-    let trace = |photons: std::ops::Range<u64>| {
+    let trace = |photons: ops::Range<u64>| {
         let mut hits = vec![0_u64; bins.len() * request.rows()];
         for index in photons {
             let mut rng = photon_stream(key, index);
@@ -153,8 +154,15 @@ impl BinRadiance {
 
     /// The mean of πL/(μ0F0) over the bin, weighted with μ dμ dφ.
     pub fn estimate(&self, side: Side, mu: usize, phi: usize, order: Order) -> Estimate {
-        let share = Estimate::from_hits(self.hits(side, mu, phi, order), self.photons);
-        let scale = PI / self.bins.projected(mu, phi);
+        self.estimate_over(side, mu, phi..phi + 1, &[order])
+    }
+
+    /// The sum of several `orders` as a mean over several bins that follow each other along |φ|, at least one.
+    pub fn estimate_over(&self, side: Side, mu: usize, phi: ops::Range<usize>, orders: &[Order]) -> Estimate {
+        let each = phi.clone().flat_map(|phi| orders.iter().map(move |order| (phi, *order)));
+        let hits = each.map(|(phi, order)| self.hits(side, mu, phi, order)).sum();
+        let projected = phi.fold(0.0, |sum, phi| sum + self.bins.projected(mu, phi));
+        let (share, scale) = (Estimate::from_hits(hits, self.photons), PI / projected);
         Estimate { value: scale * share.value, std_error: scale * share.std_error }
     }
 }

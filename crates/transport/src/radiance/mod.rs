@@ -29,4 +29,4 @@ mod views;
 
 pub use bins::{AngularBins, BinRadiance, trace_radiance_bins};
 pub use request::{MAX_CELLS, RadianceRequest};
-pub use views::{ViewRadiance, trace_radiance};
+pub use views::{ViewRadiance, check_views, trace_radiance};

@@ -26,11 +26,7 @@ pub fn trace_radiance(
     views: &[View],
     control: Control<'_>,
 ) -> Result<ViewRadiance, TransportError> {
-    if views.is_empty() {
-        return Err(TransportError::NoView);
-    }
-    views.iter().try_for_each(check)?;
-    request.check(views.len())?;
+    check_views(request, views)?;
     let scene = Scene::new(medium, request, views);
     let mut scores = vec![Score::default(); views.len() * request.rows()];
     let fold = |share: Vec<Score>| scores.iter_mut().zip(&share).for_each(|(sum, score)| sum.merge(score));
@@ -42,6 +38,18 @@ pub fn trace_radiance(
         max_order: request.max_order,
         scores,
     })
+}
+
+/// Checks every number, as [`trace_radiance`] does before it starts.
+///
+/// # Errors
+/// [`TransportError`] naming the number that is out of domain.
+pub fn check_views(request: &RadianceRequest, views: &[View]) -> Result<(), TransportError> {
+    if views.is_empty() {
+        return Err(TransportError::NoView);
+    }
+    views.iter().try_for_each(check)?;
+    request.check(views.len())
 }
 
 fn check(view: &View) -> Result<(), TransportError> {

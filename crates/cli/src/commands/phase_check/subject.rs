@@ -2,10 +2,9 @@
 
 use crate::CliError;
 use crate::args::PhaseCheckArgs;
-use stratiform_artifact::line_of;
 use crate::pipeline::input_error;
 use std::path::Path;
-use stratiform_artifact::{read_json, read_text};
+use stratiform_artifact::{line_of, read_json, read_text};
 use stratiform_tables::TablesError;
 use stratiform_tables::diagnosis::{Constants, tabulated};
 use stratiform_tables::nearest::Blend;

@@ -14,7 +14,7 @@
 //! model is compared with the solver, not with photons, so that their noise stays on its own rung. The parameters fitted
 //! half-way share the table's β. Losses are absolute, in shares of the incident flux.
 
-mod loss;
+pub(in crate::pipeline) mod loss;
 mod shader;
 
 use super::curves;

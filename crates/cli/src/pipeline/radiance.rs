@@ -1,0 +1,109 @@
+//! The radiance model: reference radiances of the full medium from the solver, the fit, and its errors at other points.
+
+use super::optics::Cloud;
+use super::{input_error, source, trace_error};
+use crate::CliError;
+use crate::config::Config;
+use crate::output::Talk;
+use crate::progress;
+use std::path::Path;
+use std::sync::Arc;
+use stratiform_artifact::{Provenance, create_folder, hash_of, write_json};
+use stratiform_fit::{Draw, Drawn, RadianceConfig, RadiancePlan, RadiancePoint, SunViews, fit_radiance};
+use stratiform_model::angular::PhaseLookup;
+use stratiform_optics::phase::{Modified, PhaseFunction};
+use stratiform_transport::solve::{RadianceOrder, RadianceSolver, SolveMedium, View};
+
+const METHOD: &str = "discrete ordinates; weighted linear least squares of ln(I - I1); std_error is that of White's sandwich: the \
+                      spread that other points would give";
+
+/// The file, which is also put among those to be accepted.
+const FILE: &str = "radiance_parameters.json";
+
+/// Provenance of the coefficients.
+pub fn provenance(config: &Config, settings: &RadianceConfig) -> Provenance {
+    let transport = &config.transport;
+    let medium =
+        (transport.wavelength_um, transport.extinction_convention, transport.single_scattering_albedo);
+    Provenance::new(hash_of(&(&config.optics, medium, settings)), None, METHOD)
+}
+
+/// Runs the stage.
+///
+/// # Errors
+/// [`CliError::Failed`] if the tolerance is not met, [`CliError::Input`] for a cloud that absorbs.
+pub fn write(
+    config: &Config,
+    settings: &RadianceConfig,
+    cloud: &Cloud,
+    dir: &Path,
+    talk: Talk,
+) -> Result<Vec<String>, CliError> {
+    let phase = Arc::new(cloud.phase.clone());
+    let medium = SolveMedium::full(phase.clone(), cloud.omega);
+    let solver = RadianceSolver::new(medium, settings.tolerance).map_err(trace_error)?;
+    let plans = [Draw::Fitted, Draw::Check].map(|draw| RadiancePlan::new(settings, draw));
+    let bar = progress::bar(plans.iter().map(|plan| plan.suns.len() as u64).sum(), "suns", talk.quiet);
+    let mut solved = Vec::new();
+    for plan in &plans {
+        solved.push(solve(&solver, plan, &|| bar.inc(1))?);
+    }
+    bar.finish_and_clear();
+    let wide = Wide(Modified::new(phase, config.optics.theta_f_deg)?);
+    let [fitted, check] = [0, 1].map(|i| Drawn { sample: &plans[i].sample, points: &solved[i] });
+    let record = source::medium(config, cloud)?;
+    let document =
+        fit_radiance(&fitted, &[check], record, provenance(config, settings), &wide).map_err(input_error)?;
+    create_folder(&dir.join("accepted"))?;
+    let files = [FILE.to_owned(), format!("accepted/{FILE}")];
+    files.iter().try_for_each(|file| write_json(&dir.join(file), &document))?;
+    Ok(files.to_vec())
+}
+
+/// One sun at a time: the work that views of a sun share is most of it.
+fn solve(
+    solver: &RadianceSolver,
+    plan: &RadiancePlan,
+    done: &dyn Fn(),
+) -> Result<Vec<RadiancePoint>, CliError> {
+    let mut points = Vec::new();
+    for sun in &plan.suns {
+        points.extend(solve_sun(solver, &plan.tau, sun)?);
+        done();
+    }
+    Ok(points)
+}
+
+fn solve_sun(solver: &RadianceSolver, tau: &[f64], sun: &SunViews) -> Result<Vec<RadiancePoint>, CliError> {
+    let views: Vec<View> = sun.views.iter().map(|&(side, mu, phi_deg)| View { side, mu, phi_deg }).collect();
+    let solved = solver.radiance(tau, &[sun.mu_l], &views).map_err(trace_error)?;
+    let mut points = Vec::new();
+    for (t, &tau) in tau.iter().enumerate() {
+        points.extend(views.iter().enumerate().map(|(v, view)| RadiancePoint {
+            tau,
+            mu_l: sun.mu_l,
+            mu_v: view.mu,
+            phi_deg: view.phi_deg,
+            side: view.side,
+            radiance: solved.estimate(t, 0, v, RadianceOrder::Total),
+        }));
+    }
+    Ok(points)
+}
+
+/// P_S; the model looks up nothing else.
+struct Wide(Modified);
+
+impl PhaseLookup<f64> for Wide {
+    fn full(&self, v: f64) -> f64 {
+        self.wide(v)
+    }
+
+    fn wide(&self, v: f64) -> f64 {
+        self.0.value(v)
+    }
+
+    fn wide_squared(&self, v: f64) -> f64 {
+        self.wide(v)
+    }
+}

@@ -1,0 +1,35 @@
+/* Sights (mu_l, mu_v, v, tau, shape) from stdin, before them the phase table where the language needs one; to stdout the
+   self-test's count, then the orders at both faces, both sums, the transparency and L / F0 of factor 1. */
+#include <stdio.h>
+
+#ifdef STRATIFORM_TEST_METAL
+#define RADIANCE(function) radiance.function
+#else
+#define RADIANCE(function) function
+#endif
+
+int main(void) {
+    float s[5], wrong;
+#ifdef STRATIFORM_TEST_METAL
+    static float table[2 * STRATIFORM_PHASE_COUNT];
+    const StratiformRadiance radiance = {{table}};
+    if (fread(table, sizeof table, 1, stdin) != 1) {
+        return 1;
+    }
+#endif
+    wrong = (float)RADIANCE(stratiform_radiance_self_test)();
+    fwrite(&wrong, sizeof wrong, 1, stdout);
+    while (fread(s, sizeof s, 1, stdin) == 1) {
+        const uint32_t shape = (uint32_t)s[4];
+        const StratiformOrders top = RADIANCE(stratiform_orders_top)(s[0], s[1], s[2], s[3], shape);
+        const StratiformOrders bottom = RADIANCE(stratiform_orders_bottom)(s[0], s[1], s[2], s[3], shape);
+        const float values[10] = {
+            top.one, top.two, top.three_plus, bottom.one, bottom.two, bottom.three_plus,
+            RADIANCE(stratiform_radiance_top)(s[0], s[1], s[2], s[3], shape),
+            RADIANCE(stratiform_radiance_bottom)(s[0], s[1], s[2], s[3], shape),
+            RADIANCE(stratiform_transparency)(s[1], s[3]), RADIANCE(stratiform_radiance_from_factor)(1.0f, s[0])
+        };
+        fwrite(values, sizeof values, 1, stdout);
+    }
+    return 0;
+}

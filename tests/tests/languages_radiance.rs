@@ -1,0 +1,153 @@
+//! The emitted radiance in every language, executed, against the angular model in double precision.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may stop where it fails, and says what it measured"
+)]
+
+use std::f64::consts::PI;
+use std::sync::OnceLock;
+use stratiform_codegen::RadianceVector;
+use stratiform_model::angular::Emission;
+use stratiform_tests::languages::library::{RADIANCE, Run};
+use stratiform_tests::languages::signatures::signatures;
+use stratiform_tests::languages::tools::available;
+use stratiform_tests::languages::ways::ways;
+use stratiform_tests::languages::{Emitted, shaders};
+
+/// Largest error of I1 and I2 relative to the value, and of I3+ relative to the shape's factor of flux 1.
+const RELATIVE: f64 = 2e-5;
+const OF_FLUX: f64 = 2e-6;
+/// Below this no relative error is asked for, see the fluxes' comparator.
+const FAINT: f64 = 1e-20;
+
+struct Radiance {
+    emitted: Emitted,
+    vectors: Vec<RadianceVector>,
+}
+
+fn radiance() -> &'static Radiance {
+    static RADIANCE: OnceLock<Radiance> = OnceLock::new();
+    RADIANCE.get_or_init(|| {
+        let emitted = Emitted::committed();
+        let vectors = emitted.radiance_vectors();
+        Radiance { emitted, vectors }
+    })
+}
+
+/// What the driver should write for a vector, each value with the error that it may have.
+fn expected(vector: &RadianceVector) -> [[f64; 2]; 10] {
+    let factor = Emission::ALL[vector.shape as usize].factor(vector.mu_v);
+    let flux = OF_FLUX * factor;
+    let [top, bottom] = vector.orders();
+    let bounds = |[one, two, more]: [f64; 3]| {
+        [RELATIVE * one + FAINT, RELATIVE * two + FAINT, RELATIVE * more.abs() + flux]
+    };
+    let [top_bounds, bottom_bounds] = [bounds(top), bounds(bottom)];
+    let sum = |three: [f64; 3]| three.iter().sum::<f64>();
+    let transparency = libm::exp(-vector.tau / vector.mu_v);
+    [
+        [top[0], top_bounds[0]],
+        [top[1], top_bounds[1]],
+        [top[2], top_bounds[2]],
+        [bottom[0], bottom_bounds[0]],
+        [bottom[1], bottom_bounds[1]],
+        [bottom[2], bottom_bounds[2]],
+        [sum(top), sum(top_bounds)],
+        [sum(bottom), sum(bottom_bounds)],
+        [transparency, RELATIVE * transparency + FAINT],
+        [vector.mu_l / PI, RELATIVE * vector.mu_l],
+    ]
+}
+
+/// Largest error in units of what is allowed; infinite where a value is missing or no number.
+fn worst(values: &[f32]) -> f64 {
+    let errors = radiance().vectors.iter().enumerate().flat_map(|(k, vector)| {
+        expected(vector).into_iter().enumerate().map(move |(i, [exact, bound])| {
+            let value = values.get(10 * k + i).map_or(f64::NAN, |value| f64::from(*value));
+            let error = (value - exact).abs() / bound;
+            if error.is_nan() { f64::INFINITY } else { error }
+        })
+    });
+    errors.fold(0.0, f64::max)
+}
+
+fn reproduces_the_model(ending: &str) {
+    let Radiance { emitted, vectors } = radiance();
+    let sight = |s: &RadianceVector| [s.mu_l, s.mu_v, s.v, s.tau, f64::from(s.shape)];
+    let input: Vec<u8> = vectors.iter().flat_map(sight).flat_map(|x| (x as f32).to_le_bytes()).collect();
+    let (table, beside) = (emitted.phase_table(), emitted.beside(&RADIANCE, ending));
+    let host = !matches!(ending, "h" | "rs");
+    let run = Run { library: &RADIANCE, table: host.then_some(&table), input: &input, beside: &beside };
+    let text = emitted.text(&format!("stratiform_radiance.{ending}"));
+    // A weight of the second order, a thousandth off.
+    let planted = text.replacen("0.125", "0.125125", 1);
+    assert_ne!(planted, text);
+    for way in ways(ending) {
+        let Some(output) = way.execute(&run, &text) else { continue };
+        let error = worst(&output.values);
+        println!("{:<24} {error:.2} of what is allowed", way.name);
+        assert!(error < 1.0, "{}: {error}", way.name);
+        assert_eq!(output.wrong, 0, "{}: the embedded self-test", way.name);
+        let output = way.execute(&run, &planted).unwrap();
+        assert!(worst(&output.values) > 1.0 && output.wrong > 0, "{}: planted", way.name);
+    }
+}
+
+#[test]
+fn c_and_cpp_reproduce_the_model() {
+    reproduces_the_model("h");
+}
+
+#[test]
+fn rust_reproduces_the_model() {
+    reproduces_the_model("rs");
+}
+
+#[test]
+fn metal_reproduces_the_model() {
+    reproduces_the_model("metal");
+}
+
+#[test]
+fn glsl_reproduces_the_model() {
+    reproduces_the_model("450.glsl");
+}
+
+#[test]
+fn hlsl_reproduces_the_model() {
+    reproduces_the_model("hlsl");
+}
+
+#[test]
+fn wgsl_reproduces_the_model() {
+    reproduces_the_model("wgsl");
+}
+
+#[test]
+fn older_glsl_compiles() {
+    for (ending, version) in [("330.glsl", "330"), ("300es.glsl", "300 es")] {
+        let emitted = &radiance().emitted;
+        let beside = emitted.beside(&RADIANCE, ending);
+        let run = Run { library: &RADIANCE, table: None, input: &[], beside: &beside };
+        let text = run.pasted(&emitted.text(&format!("stratiform_radiance.{ending}")));
+        available(shaders::glsl_fragment(version, &RADIANCE, &text), &[]);
+        let broken =
+            shaders::glsl_fragment(version, &RADIANCE, &text.replace("exp(-shortest)", "expo(-shortest)"));
+        assert!(!matches!(broken, Ok(())), "{ending}: a planted slip");
+    }
+}
+
+/// As methods of a structure in Metal's language, as functions elsewhere.
+#[test]
+fn every_language_exports_the_same() {
+    let text = |ending: &str| radiance().emitted.text(&format!("stratiform_radiance.{ending}"));
+    let exported = signatures(&text("wgsl"));
+    assert!(exported.len() > 12, "guard against checking nothing");
+    for ending in ["450.glsl", "330.glsl", "300es.glsl", "hlsl", "h", "rs"] {
+        assert_eq!(signatures(&text(ending)), exported, "{ending}");
+    }
+    let metal = text("metal").replacen("struct StratiformRadiance {\n    StratiformPhase phase;\n", "", 1);
+    assert_eq!(signatures(&metal), exported, "metal");
+}
