@@ -1,6 +1,5 @@
 //! What holds between the crates. The tests themselves are in `tests/`; here is what they share.
 
-pub mod advice;
 pub mod languages;
 
 use std::fs;

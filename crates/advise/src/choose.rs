@@ -1,6 +1,5 @@
 //! The choice.
 
-use crate::colour::channels;
 use crate::cover::{Population, fluxes, populations};
 use crate::extent;
 use crate::predict::{Points, predict};
@@ -51,30 +50,31 @@ impl Candidate {
     }
 }
 
-/// Every listed method that gives radiances, in the order of the data.
+/// Every listed method that gives radiances, in the order of the data, in grey and in colours.
 ///
 /// # Errors
 /// [`AdviseError`] if the scene is not covered by the data.
-pub fn candidates(
-    data: &Data,
-    scene: &Scene,
-    tau: Interval,
-    budget: &Budget,
-) -> Result<Vec<Candidate>, AdviseError> {
+pub fn candidates(data: &Data, scene: &Scene, tau: Interval) -> Result<Vec<Candidate>, AdviseError> {
     data.check(scene, tau)?;
-    Ok(weigh(data, &Points::new(data, &populations(scene, tau).0), budget, scene.wavelengths_um.len()))
+    Ok(weigh(data, &Points::new(data, &populations(scene, tau).0), scene.wavelengths_um.len()))
 }
 
-fn weigh(data: &Data, points: &Points, budget: &Budget, wavelengths: usize) -> Vec<Candidate> {
+/// Each method twice: one value for all channels, and one each; once where there is one wavelength.
+fn weigh(data: &Data, points: &Points, wavelengths: usize) -> Vec<Candidate> {
     let listed = data.methods().iter().zip(ErrorData::ORDERS.len()..);
-    let of = |(method, column): (&ErrorMethod, usize)| {
-        let ns = method.ns?;
-        let (channels, prediction) = channels(data, points, column, budget, wavelengths);
-        let count = if channels == Channels::Grey { 1 } else { wavelengths };
-        let table_bytes = count as u64 * method.table_bytes;
-        Some(Candidate { method: method.clone(), channels, prediction, ns: count as f64 * ns, table_bytes })
-    };
-    listed.filter_map(of).collect()
+    let mut all = Vec::new();
+    for (method, column) in listed {
+        let Some(ns) = method.ns else { continue };
+        for (channels, count) in [(Channels::Grey, 1), (Channels::Rgb, wavelengths)] {
+            if channels == Channels::Grey || wavelengths > 1 {
+                let prediction = predict(data, points, column, channels == Channels::Grey && wavelengths > 1);
+                let table_bytes = count as u64 * method.table_bytes;
+                let method = method.clone();
+                all.push(Candidate { method, channels, prediction, ns: count as f64 * ns, table_bytes });
+            }
+        }
+    }
+    all
 }
 
 /// What to use for `scene`, whose optical thickness runs over `tau`; `ground_albedo` counts where the ground's light is seen.
@@ -94,7 +94,7 @@ pub fn advise(
     let points = Points::new(data, &populations);
     let bounce = bounce(data, scene, tau, budget, ground_albedo)?;
     let extra = bounce.as_ref().map_or(0.0, |bounce| bounce.ns);
-    let mut all = weigh(data, &points, budget, scene.wavelengths_um.len());
+    let mut all = weigh(data, &points, scene.wavelengths_um.len());
     all.iter_mut().for_each(|one| one.ns += extra);
     let chosen = choose(&all, budget)
         .ok_or_else(|| AdviseError::Missing { block: "methods of radiance".to_owned() })?;
@@ -138,7 +138,9 @@ fn choose<'a>(all: &'a [Candidate], budget: &Budget) -> Option<&'a Candidate> {
 fn rejected(data: &Data, all: &[Candidate], chosen: &Candidate, budget: &Budget) -> Vec<Rejected> {
     let others = data.methods().iter().filter(|method| method.name != chosen.method.name);
     let of = |method: &ErrorMethod| {
-        let Some(one) = all.iter().find(|one| one.method.name == method.name) else {
+        let own = all.iter().filter(|one| one.method.name == method.name);
+        let best = own.clone().filter(|one| one.meets(budget)).min_by(|a, b| a.by_cost(b));
+        let Some(one) = best.or_else(|| own.min_by(|a, b| a.by_error(b))) else {
             let reason = "gives no radiance".to_owned();
             return Rejected { method: method.name.clone(), error: None, ns: None, reason };
         };

@@ -9,7 +9,6 @@
 mod advice;
 mod budget;
 mod choose;
-mod colour;
 mod cover;
 mod data;
 mod error;

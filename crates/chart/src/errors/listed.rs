@@ -4,6 +4,7 @@ use super::ErrorsError;
 use super::rows::{flux_point, point};
 use crate::cost::{Effort, flux_ns, radiance_ns};
 use crate::{Tested, coarse_phase};
+use std::time::Duration;
 use stratiform_artifact::{ErrorBlock, ErrorMethod, ErrorRow};
 use stratiform_methods::{
     Cloud, EMITTED_TEXELS, FluxPoint, Method, MethodError, Point, Single, all, by_name, knobs,
@@ -11,6 +12,12 @@ use stratiform_methods::{
 
 /// Sizes of phase tables that are listed.
 const TEXELS: [f64; 3] = [64.0, 256.0, 1024.0];
+
+/// One run.
+const SHORT: Effort = Effort { repeat: Duration::from_micros(200), repeats: 1 };
+
+/// So many of them.
+const RUNS: usize = 100;
 
 /// A method under its name, with the size of its phase table.
 pub struct Listed {
@@ -111,13 +118,19 @@ pub(super) fn records(
     Ok(records)
 }
 
+/// The quickest of [`RUNS`] short runs, to 0.1 ns: other work on the machine only ever adds.
 fn costs(
     single: Option<&dyn Single>,
     seen: &[Point],
     fluxes: &[FluxPoint],
 ) -> Result<[Option<f64>; 2], MethodError> {
     let Some(single) = single else { return Ok([None, None]) };
-    let tenths = |ns: f64| (10.0 * ns).round() / 10.0;
-    Ok([radiance_ns(single, seen, Effort::FULL)?, flux_ns(single, fluxes, Effort::FULL)]
-        .map(|ns| ns.map(tenths)))
+    let mut quickest: [Option<f64>; 2] = [None, None];
+    for _ in 0..RUNS {
+        let run = [radiance_ns(single, seen, SHORT)?, flux_ns(single, fluxes, SHORT)];
+        for (least, ns) in quickest.iter_mut().zip(run) {
+            *least = ns.map(|ns| least.map_or(ns, |least| least.min(ns)));
+        }
+    }
+    Ok(quickest.map(|ns| ns.map(|ns| (10.0 * ns).round() / 10.0)))
 }

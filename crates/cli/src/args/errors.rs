@@ -5,7 +5,9 @@ use std::path::PathBuf;
 
 /// What is typed.
 #[derive(Debug, Args)]
-#[command(after_help = "Example: stratiform errors --out fit-configs/chart\nTakes minutes; costs are those of this machine.")]
+#[command(
+    after_help = "Example: stratiform errors --out fit-configs/chart\nTakes minutes; costs are those of this machine."
+)]
 pub struct ErrorsArgs {
     /// Folder to write errors.csv, colour.csv and methods.csv to.
     #[arg(long, value_name = "DIR")]

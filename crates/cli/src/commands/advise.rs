@@ -41,7 +41,10 @@ fn refused(error: AdviseError) -> CliError {
 
 fn nearest(advice: &Advice) -> String {
     let error = 100.0 * advice.prediction.error;
-    format!("no listed method meets the budget: the nearest is {}, error {error:.1} %, {:.1} ns", advice.method, advice.ns)
+    format!(
+        "no listed method meets the budget: the nearest is {}, error {error:.1} %, {:.1} ns",
+        advice.method, advice.ns
+    )
 }
 
 /// Optical thickness of the scene; metres by the extinction of its smallest and largest droplets.
@@ -51,21 +54,27 @@ fn thickness(scene: &Scene) -> Result<Interval, CliError> {
     }
     let missing = || CliError::Input("the scene has no thickness".to_owned());
     let metres = scene.layer.thickness_m.ok_or_else(missing)?;
-    let kappa = |effective_radius_um| {
-        let config = OpticsConfig {
-            droplets: DropletDistribution::ModifiedGamma { gamma: scene.droplets.gamma(), effective_radius_um },
-            number_density_per_cm3: scene.droplets.number_density_per_cm3.ok_or_else(missing)?,
-            wavelengths_um: scene.wavelengths_um[..1].to_vec(),
-            refractive_index: Default::default(),
-            theta_f_deg: scene.droplets.theta_f_deg,
-            tolerance: Default::default(),
-        };
-        let made = optics::ensembles(&config)?;
-        Ok::<f64, CliError>(match scene.layer.extinction_convention {
-            Some(ExtinctionConvention::Mie) => made[0].extinction.mie,
-            _ => made[0].extinction.paper,
-        })
+    let number = scene.droplets.number_density_per_cm3.ok_or_else(missing)?;
+    let kappa = |radius: f64| match scene.layer.extinction_convention {
+        Some(ExtinctionConvention::Mie) => mie_extinction(scene, number, radius),
+        _ => Ok(1e-6 * number * std::f64::consts::PI * radius * radius),
     };
     let radii = scene.droplets.effective_radius_um;
     Ok(Interval { min: kappa(radii.min)? * metres.min, max: kappa(radii.max)? * metres.max })
+}
+
+fn mie_extinction(
+    scene: &Scene,
+    number_density_per_cm3: f64,
+    effective_radius_um: f64,
+) -> Result<f64, CliError> {
+    let config = OpticsConfig {
+        droplets: DropletDistribution::ModifiedGamma { gamma: scene.droplets.gamma(), effective_radius_um },
+        number_density_per_cm3,
+        wavelengths_um: scene.wavelengths_um[..1].to_vec(),
+        refractive_index: Default::default(),
+        theta_f_deg: scene.droplets.theta_f_deg,
+        tolerance: Default::default(),
+    };
+    Ok(optics::ensembles(&config)?[0].extinction.mie)
 }

@@ -2,17 +2,10 @@
 
 use crate::args::ErrorsArgs;
 use crate::output::{Data, Talk};
-use crate::pipeline::{input_error, optics};
+use crate::pipeline::visible::clouds;
 use crate::{CliError, progress};
 use stratiform_artifact::{ErrorData, create_folder};
-use stratiform_chart::errors::{ErrorsError, Nodes, WAVELENGTHS_UM, make};
-use stratiform_methods::Cloud;
-use stratiform_optics::OpticsConfig;
-use stratiform_optics::droplets::DropletDistribution;
-use stratiform_quantities::SingleScatteringAlbedo;
-
-/// γ of the data's droplets, as in Bouthors, Neyret & Lefebvre 2006.
-const GAMMA: f64 = 2.0;
+use stratiform_chart::errors::{ErrorsError, Nodes, make};
 
 /// Runs the command.
 ///
@@ -33,25 +26,4 @@ pub fn run(args: &ErrorsArgs, talk: Talk) -> Result<Data, CliError> {
 
 fn failed(error: ErrorsError) -> CliError {
     CliError::Failed(error.to_string())
-}
-
-/// Droplets of that effective radius at the three wavelengths, without absorption.
-///
-/// # Errors
-/// As [`optics::ensembles`].
-pub fn clouds(effective_radius_um: f64) -> Result<[Cloud; 3], CliError> {
-    let config = OpticsConfig {
-        droplets: DropletDistribution::ModifiedGamma { gamma: GAMMA, effective_radius_um },
-        number_density_per_cm3: 300.0,
-        wavelengths_um: WAVELENGTHS_UM.to_vec(),
-        refractive_index: Default::default(),
-        theta_f_deg: 5.0,
-        tolerance: Default::default(),
-    };
-    let omega = SingleScatteringAlbedo::new(1.0)?;
-    let cloud = |one: stratiform_optics::ensemble::Ensemble| {
-        Cloud::new(one.phase, omega, config.theta_f_deg, Some(effective_radius_um)).map_err(input_error)
-    };
-    let made = optics::ensembles(&config)?.into_iter().map(cloud).collect::<Result<Vec<_>, _>>()?;
-    made.try_into().map_err(|_| CliError::Failed("the optics have not three wavelengths".to_owned()))
 }

@@ -25,6 +25,7 @@ mod solver_cost;
 pub mod source;
 mod stage;
 mod table;
+pub mod visible;
 
 pub use agreement::read as read_agreement;
 pub use run::{Target, provenance, run};

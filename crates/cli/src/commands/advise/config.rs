@@ -19,7 +19,8 @@ pub fn text(advice: &Advice, scene: &Scene, tau: Interval) -> String {
     let waves = wavelengths(advice, scene);
     let middle = waves[waves.len() / 2];
     let omega = scene.droplets.single_scattering_albedo;
-    let omega = omega.map_or(String::new(), |omega| format!("single_scattering_albedo = {:?}\n", omega.get()));
+    let omega =
+        omega.map_or(String::new(), |omega| format!("single_scattering_albedo = {:?}\n", omega.get()));
     format!(
         "{}schema = \"stratiform/config/1\"\ntitle = {:?}\n\n[optics]\nwavelengths_um = {waves:?}\nrefractive_index = \
          \"hale-querry-1973\"\ntheta_f_deg = {:?}\nnumber_density_per_cm3 = {number:?}\n\n[optics.droplets]\ndistribution = \
@@ -40,9 +41,11 @@ pub fn text(advice: &Advice, scene: &Scene, tau: Interval) -> String {
 /// What the config cannot say.
 fn comment(advice: &Advice) -> String {
     let head = "# Made by `stratiform advise`. First `stratiform reproduce` this file, then copy `accepted` beside it.\n";
-    let texels = advice.phase_texels.map_or(String::new(), |count| format!("# Phase table: {count} texels.\n"));
+    let texels =
+        advice.phase_texels.map_or(String::new(), |count| format!("# Phase table: {count} texels.\n"));
     let radii = &advice.effective_radius_nodes_um;
-    let others = if radii.len() > 1 { format!("# One config for each r_e of {radii:?} um.\n") } else { String::new() };
+    let others =
+        if radii.len() > 1 { format!("# One config for each r_e of {radii:?} um.\n") } else { String::new() };
     format!("{head}# Method: {}.\n{texels}{others}", advice.method)
 }
 
