@@ -82,13 +82,13 @@ pub fn listed() -> Result<Vec<Listed>, ErrorsError> {
     Ok(list)
 }
 
-/// Their records, costs measured at `cloud` over the points of `rows`.
+/// Their records, costs measured at the first of `clouds` that is not refused, over the points of `rows`.
 ///
 /// # Errors
 /// [`ErrorsError::Method`].
 pub(super) fn records(
     methods: &[Listed],
-    cloud: &Cloud,
+    clouds: &[&Cloud],
     rows: &[ErrorRow],
 ) -> Result<Vec<ErrorMethod>, ErrorsError> {
     let (fluxes, seen): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.block == ErrorBlock::Flux);
@@ -102,7 +102,10 @@ pub(super) fn records(
         let costs = match same {
             // Sizes of a table do not change what is computed: differences would be noise.
             Some(first) => [first.ns, first.flux_ns],
-            None => costs(one.method.prepare(cloud)?.single(), &seen, &fluxes)?,
+            None => {
+                let ready = clouds.iter().find_map(|cloud| one.method.prepare(cloud).ok());
+                costs(ready.as_ref().and_then(|ready| ready.single()), &seen, &fluxes)?
+            }
         };
         records.push(ErrorMethod {
             name: one.name.clone(),

@@ -57,7 +57,8 @@ pub fn make(nodes: &Nodes, clouds: &[[Cloud; 3]], step: &dyn Fn()) -> Result<Err
         }
         step();
     }
-    let cards = listed::records(&methods, &clouds[clouds.len() / 2][1], &rows)?;
+    let greens: Vec<&Cloud> = clouds.iter().map(|waves| &waves[1]).collect();
+    let cards = listed::records(&methods, &greens, &rows)?;
     let names = cards.iter().map(|card| card.name.clone());
     let columns = ErrorData::ORDERS.iter().map(|name| (*name).to_owned()).chain(names).collect();
     let colour = ErrorTable { columns: vec!["red".to_owned(), "blue".to_owned()], rows: hues };

@@ -34,7 +34,7 @@ impl Nodes {
     /// What is committed.
     pub fn full() -> Self {
         Self {
-            radii_um: vec![4.0, 7.0, 12.0, 20.0],
+            radii_um: vec![4.0, 7.0, 20.0],
             tau: vec![0.05, 0.25, 1.2, 6.0, 30.0, 160.0],
             theta_l_deg: vec![0.0, 35.0, 60.0, 76.0, 87.0],
             theta_v_deg: vec![0.0, 30.0, 55.0, 74.0, 87.0],
@@ -61,9 +61,9 @@ impl Nodes {
         }
     }
 
-    /// Whether red and blue are solved for that cloud: every other, the last among them.
+    /// Whether red and blue are solved for that cloud: the one in the middle.
     pub(super) fn coloured(&self, place: usize) -> bool {
-        (self.radii_um.len() - 1 - place).is_multiple_of(3)
+        place == self.radii_um.len() / 2
     }
 
     /// The points of one sun: every view of every lattice of radiances, thickness left open.

@@ -4,7 +4,7 @@ use super::listed::Listed;
 use super::truth::{self, TOLERANCE, Truth};
 use super::{ErrorsError, Nodes};
 use stratiform_artifact::{ErrorBlock, ErrorRow};
-use stratiform_methods::{Cloud, FluxPoint, MethodError, Point};
+use stratiform_methods::{Cloud, FluxPoint, MethodError, Point, Ready};
 use stratiform_quantities::{Incidence, Side};
 use stratiform_transport::solve::{RadianceSolver, SolveMedium, Solver};
 
@@ -29,26 +29,37 @@ pub(super) fn of_cloud(
         };
     }
     fluxes.iter_mut().for_each(|row| row.values = vec![None; 2]);
-    for method in methods {
-        let ready = method.method.prepare(cloud);
-        let given = method.method.card();
-        let seen = |point: &Point| {
-            let values = ready.as_ref().ok()?.radiances(std::slice::from_ref(point)).ok()?;
-            (given.radiance).then_some(values[0].value)
-        };
-        for ((row, _), point) in rows.iter_mut().zip(&points) {
-            row.values.push(row.truth.and_then(|truth| seen(point).map(|value| error(value, truth))));
+    for Listed { method, .. } in methods {
+        let ready = method.prepare(cloud).ok();
+        let (seen, flown) = (ready.as_ref().filter(|_| method.card().radiance), ready.as_ref().filter(|_| method.card().flux));
+        let seen = answers(seen, &points, |ready, points| ready.radiances(points));
+        for ((row, _), answer) in rows.iter_mut().zip(seen) {
+            row.values.push(row.truth.and_then(|truth| Some(error(answer?.value, truth))));
         }
-        let both = |point: &FluxPoint| ready.as_ref().ok()?.fluxes(std::slice::from_ref(point)).ok()?.pop();
-        for (row, point) in fluxes.iter_mut().zip(&places) {
-            let pair = both(point).filter(|_| given.flux).map(|pair| match row.side {
+        let flown = answers(flown, &places, |ready, points| ready.fluxes(points));
+        for (row, answer) in fluxes.iter_mut().zip(flown) {
+            let value = answer.map(|pair| match row.side {
                 Side::Top => pair.reflectance.value,
                 Side::Bottom => pair.transmittance.value,
             });
-            row.values.push(row.truth.and_then(|truth| pair.map(|value| error(value, truth))));
+            row.values.push(row.truth.and_then(|truth| Some(error(value?, truth))));
         }
     }
     Ok(rows.into_iter().map(|(row, _)| row).chain(fluxes).collect())
+}
+
+/// An answer or a refusal for each point: all asked together, or, where that is refused, each alone.
+fn answers<P, T: Copy>(
+    ready: Option<&Box<dyn Ready>>,
+    points: &[P],
+    ask: impl Fn(&dyn Ready, &[P]) -> Result<Vec<T>, MethodError>,
+) -> Vec<Option<T>> {
+    let Some(ready) = ready.map(Box::as_ref) else { return points.iter().map(|_| None).collect() };
+    let alone = |point| ask(ready, std::slice::from_ref(point)).ok()?.first().copied();
+    match ask(ready, points) {
+        Ok(values) => values.into_iter().map(Some).collect(),
+        Err(_) => points.iter().map(alone).collect(),
+    }
 }
 
 /// Rows of radiances with their truth, without values.

@@ -227,8 +227,8 @@ fn reached(methods: &[Listed], one: &Candidate, populations: &[Vec<Group<'_>>]) 
         for group in groups {
             let middle = group.cloud.middle();
             let grey = one.channels == Channels::Grey;
-            let ready = method.prepare(&group.cloud.waves[middle])?;
-            let values = ready.radiances(&group.points);
+            let ready = method.prepare(&group.cloud.waves[middle]);
+            let values = ready.and_then(|ready| ready.radiances(&group.points));
             for (place, truths) in group.truths.iter().enumerate() {
                 // A refusal is an error beyond any budget.
                 let value = values.as_ref().map_or(f64::INFINITY, |values| values[place].value);

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 /// What is typed.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Example: stratiform errors --out fit-configs/chart\nTakes minutes; costs are those of this machine."
+    after_help = "Example: stratiform errors --out fit-configs/chart\nTakes minutes; costs are those of this machine, at its quickest."
 )]
 pub struct ErrorsArgs {
     /// Folder to write errors.csv, colour.csv and methods.csv to.
