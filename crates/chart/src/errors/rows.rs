@@ -31,7 +31,10 @@ pub(super) fn of_cloud(
     fluxes.iter_mut().for_each(|row| row.values = vec![None; 2]);
     for Listed { method, .. } in methods {
         let ready = method.prepare(cloud).ok();
-        let (seen, flown) = (ready.as_ref().filter(|_| method.card().radiance), ready.as_ref().filter(|_| method.card().flux));
+        let (seen, flown) = (
+            ready.as_ref().filter(|_| method.card().radiance),
+            ready.as_ref().filter(|_| method.card().flux),
+        );
         let seen = answers(seen, &points, |ready, points| ready.radiances(points));
         for ((row, _), answer) in rows.iter_mut().zip(seen) {
             row.values.push(row.truth.and_then(|truth| Some(error(answer?.value, truth))));
