@@ -41,6 +41,8 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
         Command::Check(args) => commands::check::run(args, talk),
         Command::PhaseCheck(args) => commands::phase_check::run(args, talk),
         Command::Nearest(args) => commands::nearest::run(args),
+        Command::Advise(args) => commands::advise::run(args, talk),
+        Command::Errors(args) => commands::errors::run(args, talk),
         Command::Reproduce(args) => commands::stages::reproduce(args, talk),
         Command::Chart(args) => commands::chart::run(args, talk),
         Command::Report(args) => commands::report::run(args, talk),
