@@ -7,7 +7,7 @@ use crate::rivals::bouthors::{self, Reading, Table};
 use crate::rivals::monte_carlo::{self, Geometry};
 use crate::rivals::two_stream::{self, Closure};
 use crate::rivals::{
-    asymptotic, beer_powder, multiple_forward, octaves, single_scattering, solver, successive,
+    asymptotic, beer_powder, better, multiple_forward, octaves, single_scattering, solver, successive,
 };
 use crate::{Method, MethodError};
 use stratiform_model::angular::Emission;
@@ -123,7 +123,7 @@ fn entries() -> Vec<Entry> {
             Emission::Escape,
         ),
         read("bouthors-corrected-halo", "The same, with the halo", Table::Refitted, Reading::WithHalo),
-        // The better model takes its place here.
+        plain("better", better::method),
         turned("orders", orders, 2.0, |count| successive::method(count as u32)),
         turned("solver", streams, 16.0, |count| solver::method(count as usize)),
     ];

@@ -2,6 +2,7 @@
 
 pub(crate) mod asymptotic;
 pub(crate) mod beer_powder;
+pub(crate) mod better;
 pub(crate) mod bouthors;
 pub(crate) mod monte_carlo;
 pub(crate) mod multiple_forward;

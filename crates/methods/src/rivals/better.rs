@@ -1,0 +1,83 @@
+//! Single scattering exactly, everything beyond it as one fitted exponential.
+//!
+//! `stratiform_model::radiance`: I = I1 + D exp(Σ c_k(u) B_k), coefficients of the paper's cloud as accepted. I1 with P_S of the cloud. No
+//! fluxes. Domain: r_e = 7 µm and ω = 1, the cloud of the coefficients; every thickness and direction, of which τ from 0.1 to 300 and
+//! θ up to 85° were fitted. Light that met forward events only is left out. Hufnagel & Held's class: mixed (4.1.6).
+
+use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
+use crate::scalar::Scalar;
+use crate::shade::{InSingle, Shade, Shaded};
+use crate::simple::Simple;
+use crate::{Card, Class, Cloud, Domain, MethodError};
+use stratiform_artifact::{RadianceFace, RadianceParametersDocument};
+use stratiform_model::angular::{PhaseLookup, Sight};
+use stratiform_model::radiance::{Coefficients, POWERS, Slab, TERMS};
+use stratiform_quantities::{Range, Side};
+
+const ACCEPTED: &str = include_str!("../../../../fit-configs/appendix-b/accepted/radiance_parameters.json");
+
+struct Better<F, P> {
+    coefficients: Coefficients<F>,
+    phase: P,
+}
+
+impl<F: Scalar, P: PhaseLookup<F> + Send + Sync> Shade<F> for Better<F, P> {
+    fn radiance(&self, tau: F, sight: &Sight<F>) -> F {
+        Slab::unchecked(&self.coefficients, tau, *sight).radiance(&self.phase)
+    }
+
+    fn fluxes(&self, _tau: F, _mu_l: F) -> (F, F) {
+        (F::of(0.0), F::of(0.0))
+    }
+}
+
+fn damaged(reason: &str) -> MethodError {
+    MethodError::Failed { method: "better".to_owned(), reason: format!("built-in coefficients: {reason}") }
+}
+
+/// a_kj of a face.
+fn face(faces: &[RadianceFace], side: Side) -> Result<[[f64; TERMS]; POWERS], MethodError> {
+    let found = faces.iter().find(|face| face.side == side).ok_or_else(|| damaged("a face is missing"))?;
+    let row = |row: &Vec<_>| row.iter().map(|a: &stratiform_stats::Estimate| a.value).collect::<Vec<f64>>();
+    let rows = found.coefficients.iter().map(|terms| row(terms).try_into());
+    let rows = rows.collect::<Result<Vec<[f64; TERMS]>, _>>().map_err(|_| damaged("number of terms"))?;
+    rows.try_into().map_err(|_| damaged("number of powers"))
+}
+
+/// The accepted coefficients, with g and P_f of `cloud`.
+fn coefficients(cloud: &Cloud) -> Result<Coefficients<f64>, MethodError> {
+    let document: RadianceParametersDocument =
+        serde_json::from_str(ACCEPTED).map_err(|e| damaged(&e.to_string()))?;
+    let (similarity, kept) = (1.0 - cloud.asymmetry(), 1.0 - cloud.forward_fraction());
+    let (top, bottom) = (face(&document.faces, Side::Top)?, face(&document.faces, Side::Bottom)?);
+    let coefficients = Coefficients { similarity, kept, top, bottom };
+    coefficients.check()?;
+    Ok(coefficients)
+}
+
+/// With the accepted coefficients.
+pub(crate) fn method() -> Simple {
+    let card = Card {
+        name: "better".to_owned(),
+        title: "Single scattering and a fitted rest",
+        source: "This project: stratiform_model::radiance, after Nakajima & Tanaka 1988 and van de Hulst 1980",
+        class: Class::Mixed,
+        domain: Domain {
+            omega: Range::closed(1.0, 1.0),
+            r_eff_um: Range::closed(7.0, 7.0),
+            ..Domain::EVERYWHERE
+        },
+        radiance: true,
+        flux: false,
+        table_bytes: Some(4 * EMITTED_TEXELS + 2 * 4 * TERMS * POWERS),
+    };
+    Simple::new(card, |card, cloud| {
+        let coefficients = coefficients(cloud)?;
+        let single = Better {
+            coefficients: coefficients.cast::<f32>(),
+            phase: Texels::<f32>::once(cloud, EMITTED_TEXELS)?,
+        };
+        let double = Better { coefficients, phase: Exact::once(cloud) };
+        Ok(Box::new(Shaded { card: card.clone(), double, single: InSingle(single) }))
+    })
+}
