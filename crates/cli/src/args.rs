@@ -1,5 +1,6 @@
 //! The command line exactly as typed. Turning it into checked objects is the commands' work.
 
+mod atlas;
 mod chart;
 mod check;
 mod export;
@@ -12,6 +13,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 pub use crate::solve_args::SolveArgs;
+pub use atlas::AtlasArgs;
 pub use chart::ChartArgs;
 pub use check::CheckArgs;
 pub use export::{ExportArgs, Format};
@@ -71,6 +73,8 @@ pub enum Command {
     Reproduce(StageArgs),
     /// Error against cost of every way to shade a cloud layer, over scenes.
     Chart(ChartArgs),
+    /// Where each method breaks: thickness, angles, droplets and albedo from end to end, in f32 and f64.
+    Atlas(AtlasArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

@@ -1,5 +1,6 @@
 //! One file per command: from what was typed to what is printed.
 
+pub mod atlas;
 pub mod chart;
 pub mod check;
 pub mod codegen;

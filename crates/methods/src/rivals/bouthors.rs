@@ -23,7 +23,7 @@ use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
 use crate::scalar::Scalar;
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain, MethodError};
+use crate::{Card, Class, Cloud, Domain, MethodError, Promise, Promises};
 use stratiform_artifact::{ParameterRow, ParametersDocument, PublishedRow};
 use stratiform_model::angular::halo::{Halo, Peak};
 use stratiform_model::angular::{Angular, Emission, PhaseLookup, Sight, as_printed};
@@ -182,6 +182,7 @@ fn card(name: String, title: &'static str, (table, reading): (Table, Reading), t
         source: "Bouthors, Neyret & Lefebvre 2006, section 4 and appendices A and B",
         class: Class::Mixed,
         domain: domain(table),
+        promises: Promises { radiance: None, flux: Some(Promise::absolute(0.05, domain(table))) },
         radiance: true,
         flux: true,
         table_bytes: Some(2 * 4 * texels + PARAMETER_BYTES + halo),

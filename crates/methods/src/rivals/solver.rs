@@ -5,9 +5,10 @@
 //! moment. Errors of radiances are those of the rule of order 2 alone. Not in the survey. Domain: all, N ∈ [2, 128].
 
 use crate::grid::{FluxGrid, RadianceGrid};
+use crate::promise::region;
 use crate::shade::exact;
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain, FluxPair, FluxPoint, MethodError, Point, Ready};
+use crate::{Card, Class, Cloud, Domain, FluxPair, FluxPoint, MethodError, Point, Promise, Promises, Ready};
 use stratiform_quantities::Incidence;
 use stratiform_stats::Estimate;
 use stratiform_transport::solve::{RadianceSolver, SolveMedium, Solver};
@@ -64,6 +65,10 @@ pub(crate) fn method(streams: usize) -> Simple {
         source: "Stamnes et al. 1988; Nakajima & Tanaka 1988",
         class: Class::Deterministic,
         domain: Domain::EVERYWHERE,
+        promises: Promises {
+            radiance: Some(Promise::relative(0.1, region([0.0, 1e4], 0.1))),
+            flux: Some(Promise::absolute(1e-3, region([0.0, 1e4], 0.0))),
+        },
         radiance: true,
         flux: true,
         table_bytes: None,
