@@ -12,6 +12,9 @@ use stratiform_model::angular::Sight;
 use stratiform_quantities::Side;
 use stratiform_stats::Estimate;
 
+/// κH beyond which tracers are not asked.
+const THICKEST_TRACED: f64 = 10.0;
+
 /// A plane with its clouds and truth.
 pub struct Sheet {
     /// Which.
@@ -48,12 +51,21 @@ impl Sheet {
         Ok(Self { plane, places, truths })
     }
 
+    /// The places that a tracer can be asked for: analog photons need 2τ events each.
+    #[must_use]
+    pub fn traceable(&self) -> Self {
+        self.only(|place| place.point.tau <= THICKEST_TRACED)
+    }
+
     /// The places of a thinner plane.
     #[must_use]
     pub fn thin(&self) -> Self {
         let wanted = self.plane.places(Density::Thin);
-        let kept: Vec<usize> =
-            (0..self.places.len()).filter(|i| wanted.contains(&self.places[*i].0)).collect();
+        self.only(|place| wanted.contains(place))
+    }
+
+    fn only(&self, wanted: impl Fn(&Place) -> bool) -> Self {
+        let kept: Vec<usize> = (0..self.places.len()).filter(|i| wanted(&self.places[*i].0)).collect();
         Self {
             plane: self.plane,
             places: kept.iter().map(|i| self.places[*i].clone()).collect(),

@@ -97,11 +97,16 @@ fn measure(quick: bool, methods: &Methods, talk: Talk) -> Result<Found, CliError
     let sheet = |plane: &Plane| watch.over(|| Sheet::new(*plane, density, &phases, cache.as_deref()));
     let sheets = Plane::ALL.iter().map(sheet).collect::<Result<Vec<_>, _>>().map_err(fault)?;
     let thin: Vec<Sheet> = sheets.iter().map(Sheet::thin).collect();
+    let traceable: Vec<Sheet> = thin.iter().map(Sheet::traceable).collect();
     let cards: Vec<_> = methods.iter().map(|method| method.card()).collect();
     let document = document(&cards, density);
     let mut found = Found { document, rows: Vec::new(), counts: Vec::new(), breaches: Vec::new() };
     for method in methods {
-        let sheets = if method.card().table_bytes.is_some() { &sheets } else { &thin };
+        let sheets = match method.card() {
+            card if card.table_bytes.is_some() => &sheets,
+            card if card.class == methods::Class::PathTracing => &traceable,
+            _ => &thin,
+        };
         found.add(&**method, sheets, watch)?;
         found.outside(&**method, &phases);
     }
