@@ -5,6 +5,7 @@
 
 mod agreement;
 mod angular_books;
+mod atlas;
 mod atomic;
 mod chart;
 mod convergence;
@@ -30,6 +31,7 @@ mod table;
 
 pub use agreement::{AgreementDocument, AgreementRow};
 pub use angular_books::{AngularBooksRow, AngularForm};
+pub use atlas::{AtlasCount, AtlasDocument, AtlasMethod, AtlasPlane, AtlasRow};
 pub use atomic::{create_folder, read_text, write_atomic};
 pub use chart::{ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, KnobRow};
 pub use convergence::ConvergenceRow;

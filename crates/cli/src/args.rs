@@ -1,6 +1,7 @@
 //! The command line exactly as typed. Turning it into checked objects is the commands' work.
 
 mod advise;
+mod atlas;
 mod chart;
 mod check;
 mod errors;
@@ -15,6 +16,7 @@ use std::path::PathBuf;
 
 pub use crate::solve_args::SolveArgs;
 pub use advise::AdviseArgs;
+pub use atlas::AtlasArgs;
 pub use chart::ChartArgs;
 pub use check::CheckArgs;
 pub use errors::ErrorsArgs;
@@ -79,6 +81,8 @@ pub enum Command {
     Reproduce(StageArgs),
     /// Error against cost of every way to shade a cloud layer, over scenes.
     Chart(ChartArgs),
+    /// Where each method breaks: thickness, angles, droplets and albedo from end to end, in f32 and f64.
+    Atlas(AtlasArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

@@ -1,6 +1,7 @@
 //! One file per command: from what was typed to what is printed.
 
 pub mod advise;
+pub mod atlas;
 pub mod chart;
 pub mod check;
 pub mod codegen;

@@ -5,10 +5,11 @@
 //! θ up to 85° were fitted. Light that met forward events only is left out. Hufnagel & Held's class: mixed (4.1.6).
 
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
+use crate::promise::region;
 use crate::scalar::Scalar;
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain, MethodError};
+use crate::{Card, Class, Cloud, Domain, MethodError, Promise, Promises};
 use stratiform_artifact::{RadianceFace, RadianceParametersDocument};
 use stratiform_model::angular::{PhaseLookup, Sight};
 use stratiform_model::radiance::{Coefficients, POWERS, Slab, TERMS};
@@ -55,6 +56,11 @@ fn coefficients(cloud: &Cloud) -> Result<Coefficients<f64>, MethodError> {
     Ok(coefficients)
 }
 
+/// Where it was fitted and held against other points, but for the aureole.
+fn promise() -> Promise {
+    Promise::relative(0.25, region([1e-3, 1e4], 0.1736)).outside_aureole(6.0)
+}
+
 /// With the accepted coefficients.
 pub(crate) fn method() -> Simple {
     let card = Card {
@@ -67,6 +73,7 @@ pub(crate) fn method() -> Simple {
             r_eff_um: Range::closed(4.0, 20.0),
             ..Domain::EVERYWHERE
         },
+        promises: Promises { radiance: Some(promise()), flux: None },
         radiance: true,
         flux: false,
         table_bytes: Some(4 * EMITTED_TEXELS + 2 * 4 * TERMS * POWERS),
