@@ -3,7 +3,6 @@
 use super::ErrorsError;
 use super::rows::{flux_point, point};
 use crate::cost::{Effort, flux_ns, radiance_ns};
-use crate::{Tested, coarse_phase};
 use std::time::Duration;
 use stratiform_artifact::{ErrorBlock, ErrorMethod, ErrorRow};
 use stratiform_methods::{
@@ -24,7 +23,7 @@ pub struct Listed {
     /// Stem and knob.
     pub name: String,
     /// What it is.
-    pub method: Box<dyn Tested>,
+    pub method: Box<dyn Method>,
     /// The name without what changes no cost.
     stem: String,
     texels: Option<usize>,
@@ -34,26 +33,11 @@ pub struct Listed {
 impl Listed {
     fn new(method: Box<dyn Method>, stem: &str, texels: Option<usize>) -> Self {
         let (name, table_bytes) = (method.card().name.clone(), method.card().table_bytes.unwrap_or(0));
-        Self { name, method: Box::new(method), stem: stem.to_owned(), texels, table_bytes }
-    }
-
-    /// The same with fewer texels in its phase table.
-    fn coarse(method: Box<dyn Method>, texels: usize) -> Result<Self, ErrorsError> {
-        let whole = Self::new(method, "", Some(texels));
-        let (name, stem) = (format!("{}:{texels}", whole.name), whole.name);
-        let table_bytes = whole.table_bytes * texels / EMITTED_TEXELS;
-        Ok(Self {
-            name: name.clone(),
-            method: coarse_phase(by_name(&stem)?, texels)?,
-            stem,
-            table_bytes,
-            ..whole
-        })
+        Self { name, method, stem: stem.to_owned(), texels, table_bytes }
     }
 }
 
-/// Every method that is shader code, turned through the values of its knob; one with a phase table but no knob for it with tables
-/// of several sizes.
+/// Every method that is shader code, turned through the values of its knob.
 ///
 /// # Errors
 /// [`ErrorsError`].
@@ -70,13 +54,9 @@ pub fn listed() -> Result<Vec<Listed>, ErrorsError> {
                 let costs_as = if texels { &stem } else { &name };
                 list.push(Listed::new(by_name(&name)?, costs_as, texels.then_some(*value as usize)));
             }
-        } else if table_bytes >= 4 * EMITTED_TEXELS {
-            for texels in &TEXELS[..TEXELS.len() - 1] {
-                list.push(Listed::coarse(by_name(&stem)?, *texels as usize)?);
-            }
-            list.push(Listed::new(method, &stem, Some(EMITTED_TEXELS)));
         } else {
-            list.push(Listed::new(method, &stem, None));
+            let texels = (table_bytes >= 4 * EMITTED_TEXELS).then_some(EMITTED_TEXELS);
+            list.push(Listed::new(method, &stem, texels));
         }
     }
     Ok(list)
