@@ -12,7 +12,7 @@
 //! | `solver:N` | κH = 1000, ω = 0.5, below | light under the rounding of its sums comes out negative, -1e-17 | set to 0 within 1e-12 |
 //! | `solver:8` | κH = 0.01, μ_l = 1e-4 | R off by 1e-3 | promised to 5e-3 only; more streams |
 //! | `bouthors-printed` | κH = 3, μ_l = 0.3 | R off by 0.1 | no promise; the refitted table with corrected forms |
-//! | `bouthors-corrected` | μ_l = 1e-4, κH = 0.3 | R off by 0.05 | promised for μ_l from 0.1 only |
+//! | `bouthors-corrected*` | μ_l ≤ 0.1, κH = 0.1…1 | R and T off by 0.05…0.1 | promised for μ_l from 0.1737 only |
 //! | `diffusion` | κH = 1, μ_l = 0.2 | R off by 0.14 | promised to 0.2; δ-Eddington keeps 0.1 |
 //! | `asymptotic` | κH = 10, sun's own azimuth, μ = 0.6 | radiance above 20 % too low | promised to 30 % |
 //! | `bouthors-*`, published table | κH < 1 | negative R_3+ | refused: the domain starts at 1 |
