@@ -55,7 +55,7 @@ pub static RADIANCE: Library = Library {
     hlsl: include_str!("drivers/radiance/driver.hlsl"),
     wgsl: include_str!("drivers/radiance/driver.wgsl"),
     sizes: [5, 11],
-    needs: &["stratiform", "stratiform_phase", "stratiform_radiance"],
+    needs: &["stratiform", "stratiform_weights", "stratiform_phase", "stratiform_radiance"],
 };
 
 /// Fluxes over effective radius: (μ_l, r_e, τ), μ_l = -1 for diffuse light, to nine fluxes.

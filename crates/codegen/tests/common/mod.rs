@@ -99,6 +99,7 @@ pub fn inputs() -> Inputs {
             angles: 8,
             values: (0..32).map(|i| 900.0 / f64::from(1 + i % 8)).collect(),
         }),
+        radiance: None,
         reference: Vec::new(),
     }
 }
