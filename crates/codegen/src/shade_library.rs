@@ -39,23 +39,34 @@ pub(crate) fn library<'a>(
         head: head(inputs, document),
         name: "stratiform_shade",
         code: fill(include_str!("wgsl/shade.wgsl"), &places),
-        owner: Some("StratiformShading"),
+        owner: Some("StratiformShade"),
         glue: None,
         needs,
     })
 }
 
-/// c_k(u) by Horner's scheme, a line for each k.
+/// c_k by Horner's scheme in x = u - 1/2, a line for each k: powers of u would cancel and leave single precision 4 digits.
 fn polynomials(table: &[[f64; TERMS]; POWERS]) -> String {
     let polynomial = |k: usize| {
-        let (last, rest) = (literal(table[POWERS - 1][k]), &table[..POWERS - 1]);
-        let sum = rest.iter().rev().enumerate().fold(last, |sum, (i, row)| match i {
-            0 => format!("{} + u * {sum}", literal(row[k])),
-            _ => format!("{} + u * ({sum})", literal(row[k])),
+        let centred = about_half(table.map(|row| row[k])).map(literal);
+        let (last, rest) = (centred[POWERS - 1].clone(), &centred[..POWERS - 1]);
+        let sum = rest.iter().rev().enumerate().fold(last, |sum, (i, power)| match i {
+            0 => format!("{power} + x * {sum}"),
+            _ => format!("{power} + x * ({sum})"),
         });
         format!("        {sum},")
     };
     (0..TERMS).map(polynomial).collect::<Vec<_>>().join("\n")
+}
+
+/// A polynomial of u as one of u - 1/2, by synthetic division.
+fn about_half(mut powers: [f64; POWERS]) -> [f64; POWERS] {
+    for first in 0..POWERS {
+        for j in (first..POWERS - 1).rev() {
+            powers[j] += 0.5 * powers[j + 1];
+        }
+    }
+    powers
 }
 
 fn self_test(
@@ -124,4 +135,18 @@ fn error_line(misfit: &RadianceMisfit) -> String {
         percent(misfit.p95),
         percent(misfit.worst),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_polynomial_about_a_half_has_the_same_values() {
+        let powers = [1.0, -2.0, 3.0, -4.0, 5.0];
+        let value = |powers: [f64; POWERS], x: f64| powers.iter().rev().fold(0.0, |sum, a| sum * x + a);
+        for u in [0.0, 0.3, 0.5, 1.0] {
+            assert!((value(powers, u) - value(about_half(powers), u - 0.5)).abs() < 1e-14);
+        }
+    }
 }

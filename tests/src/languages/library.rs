@@ -71,6 +71,32 @@ pub static FAMILY: Library = Library {
     needs: &["stratiform"],
 };
 
+/// Fitted radiance: (mu_l, mu_v, v, tau) to I1, M and their sum at the lit face and at the other.
+pub static SHADE: Library = Library {
+    name: "stratiform_shade",
+    c: include_str!("drivers/shade/driver.c"),
+    rust: include_str!("drivers/shade/driver.rs"),
+    glsl: include_str!("drivers/shade/driver.glsl"),
+    fragment: include_str!("drivers/shade/fragment.glsl"),
+    hlsl: include_str!("drivers/shade/driver.hlsl"),
+    wgsl: include_str!("drivers/shade/driver.wgsl"),
+    sizes: [4, 6],
+    needs: &["stratiform", "stratiform_weights", "stratiform_phase"],
+};
+
+/// Phase functions over effective radius: (v, r_e) to P, P_S and P_S convolved with itself.
+pub static FAMILY_PHASE: Library = Library {
+    name: "stratiform_family_phase",
+    c: include_str!("drivers/family_phase/driver.c"),
+    rust: include_str!("drivers/family_phase/driver.rs"),
+    glsl: include_str!("drivers/family_phase/driver.glsl"),
+    fragment: include_str!("drivers/family_phase/fragment.glsl"),
+    hlsl: include_str!("drivers/family_phase/driver.hlsl"),
+    wgsl: include_str!("drivers/family_phase/driver.wgsl"),
+    sizes: [2, 3],
+    needs: &["stratiform_phase"],
+};
+
 /// A library and what its driver is run on.
 pub struct Run<'a> {
     /// Which.

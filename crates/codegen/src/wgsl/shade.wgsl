@@ -3,7 +3,7 @@ const STRATIFORM_SIMILARITY: f32 = @SIMILARITY@;
 
 // The factors c_k of one face at one thickness, each named by what it multiplies: products of s = mu_l + mu_v,
 // p = mu_l mu_v and c = cosTheta.
-struct StratiformShade {
+struct StratiformShadeFactors {
     one: f32,
     s: f32,
     p: f32,
@@ -25,23 +25,23 @@ struct StratiformShade {
 // ---- the rest: light that was scattered twice or more, over scaled = tau' = (1 - g) tau ------------------------------
 
 // Of light that leaves the lit face. Depends on the thickness alone: where many sights share it, compute it once.
-fn stratiform_shade_of_top(scaled: f32) -> StratiformShade {
-    let u = scaled / (1.0 + scaled);
-    return StratiformShade(
+fn stratiform_shade_of_top(scaled: f32) -> StratiformShadeFactors {
+    let x = scaled / (1.0 + scaled) - 0.5;
+    return StratiformShadeFactors(
 @TOP@
     );
 }
 
 // Of light that leaves the other face.
-fn stratiform_shade_of_bottom(scaled: f32) -> StratiformShade {
-    let u = scaled / (1.0 + scaled);
-    return StratiformShade(
+fn stratiform_shade_of_bottom(scaled: f32) -> StratiformShadeFactors {
+    let x = scaled / (1.0 + scaled) - 0.5;
+    return StratiformShadeFactors(
 @BOTTOM@
     );
 }
 
 // The fitted factor: exp(sum of c_k B_k).
-fn stratiform_shade_factor(k: StratiformShade, mu_l: f32, mu_v: f32, v: f32) -> f32 {
+fn stratiform_shade_factor(k: StratiformShadeFactors, mu_l: f32, mu_v: f32, v: f32) -> f32 {
     let s = mu_l + mu_v;
     let p = mu_l * mu_v;
     let c = 1.0 - v;
@@ -61,12 +61,12 @@ fn stratiform_shade_envelope(mu_l: f32, mu_v: f32, scaled: f32) -> f32 {
 }
 
 // Reflectance factor of light that was scattered twice or more by more than theta_f and leaves the lit face.
-fn stratiform_shade_more_top(k: StratiformShade, mu_l: f32, mu_v: f32, v: f32, scaled: f32) -> f32 {
+fn stratiform_shade_more_top(k: StratiformShadeFactors, mu_l: f32, mu_v: f32, v: f32, scaled: f32) -> f32 {
     return stratiform_shade_envelope(mu_l, mu_v, scaled) * stratiform_shade_factor(k, mu_l, mu_v, v);
 }
 
 // The same at the other face.
-fn stratiform_shade_more_bottom(k: StratiformShade, mu_l: f32, mu_v: f32, v: f32, scaled: f32) -> f32 {
+fn stratiform_shade_more_bottom(k: StratiformShadeFactors, mu_l: f32, mu_v: f32, v: f32, scaled: f32) -> f32 {
     let envelope = stratiform_shade_envelope(mu_l, mu_v, scaled) / (1.0 + 0.7 * scaled);
     return envelope * stratiform_shade_factor(k, mu_l, mu_v, v);
 }
@@ -88,13 +88,13 @@ fn stratiform_shade_once_bottom(mu_l: f32, mu_v: f32, wide: f32, depth: f32) -> 
 // ---- radiance --------------------------------------------------------------------------------------------------------
 
 // Reflectance factor of all light that leaves the lit face at mu_v, v = 1 - cosTheta, with the k of this tau.
-fn stratiform_shade_top_with(k: StratiformShade, mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
+fn stratiform_shade_top_with(k: StratiformShadeFactors, mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
     return stratiform_shade_once_top(mu_l, mu_v, stratiform_phase_modified(v), STRATIFORM_KAPPA_S * tau)
         + stratiform_shade_more_top(k, mu_l, mu_v, v, STRATIFORM_SIMILARITY * tau);
 }
 
 // Reflectance factor of all light that leaves the other face; the sun's disc and the halo around it are not in it.
-fn stratiform_shade_bottom_with(k: StratiformShade, mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
+fn stratiform_shade_bottom_with(k: StratiformShadeFactors, mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
     return stratiform_shade_once_bottom(mu_l, mu_v, stratiform_phase_modified(v), STRATIFORM_KAPPA_S * tau)
         + stratiform_shade_more_bottom(k, mu_l, mu_v, v, STRATIFORM_SIMILARITY * tau);
 }
