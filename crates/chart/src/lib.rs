@@ -12,6 +12,7 @@ mod error;
 pub mod front;
 pub mod grid;
 mod knobs;
+mod parallel;
 mod quantity;
 mod rows;
 mod sample;
