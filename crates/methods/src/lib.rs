@@ -13,7 +13,7 @@
 //! | 4.1.3 path tracing | `monte-carlo`, `monte-carlo-modified` | f r |
 //! | | `half-space`, `half-space-modified` | f |
 //! | 4.1.4 path integration | none: the equations of Premože et al. 2004 are not at hand to be checked | |
-//! | 4.1.6 mixed | `bouthors-printed`, `-published`, `-corrected`, `-corrected-isotropic`, `-corrected-escape`, `-corrected-halo` | shader f r |
+//! | 4.1.6 mixed | `bouthors-printed`, `-published`, `-corrected`, `-corrected-isotropic`, `-corrected-escape`, `-corrected-halo`, `-family` | shader f r |
 //! | | `better` | shader r |
 //! | 4.1.7 heuristics | `octaves`, `beer-powder` | shader r |
 //! | not in the survey | `solver` | f r |
@@ -31,6 +31,7 @@ mod lobe;
 mod lookup;
 mod method;
 mod point;
+mod promise;
 mod registry;
 mod rivals;
 mod scalar;
@@ -43,5 +44,6 @@ pub use error::MethodError;
 pub use lookup::{EMITTED_TEXELS, Exact, Texels};
 pub use method::{Method, Ready, Single};
 pub use point::{FluxPair, FluxPoint, Point};
+pub use promise::{Promise, Promises};
 pub use registry::{Knob, all, by_name, knobs};
 pub use scalar::Scalar;
