@@ -204,7 +204,7 @@ fn phase_functions_reproduce_the_model_in_every_language() {
         let tables = if matches!(ending, "h" | "rs") { &[] } else { &tables[..] };
         let run = Run { library: &FAMILY_PHASE, tables, input: &input, beside: &beside };
         let text = emitted.text(&format!("stratiform_family_phase.{ending}"));
-        let radius = format!("{:?}", family().document.members[1].effective_radius_um as f32);
+        let radius = format!("{:?}", family().document.members[4].effective_radius_um as f32);
         let planted = text.replacen(&radius, &format!("{:?}", radius.parse::<f32>().unwrap() * 1.01), 1);
         assert_ne!(planted, text);
         for way in ways(ending) {

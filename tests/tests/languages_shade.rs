@@ -14,9 +14,8 @@ use stratiform_tests::languages::tools::available;
 use stratiform_tests::languages::ways::ways;
 use stratiform_tests::languages::{Emitted, shaders};
 
-/// Largest error of single scattering, and of the rest, relative to the value.
-const ONCE: f64 = 2e-5;
-const MORE: f64 = 5e-5;
+/// Largest error of single scattering and of the rest, relative to the value.
+const RELATIVE: f64 = 2e-5;
 /// Below this no relative error is asked for, see the fluxes' comparator.
 const FAINT: f64 = 1e-20;
 
@@ -37,7 +36,7 @@ fn shade() -> &'static Shade {
 /// What the driver should write for a vector, each value with the error that it may have.
 fn expected(vector: &ShadeVector) -> [[f64; 2]; 6] {
     let face = |once: f64, more: f64| {
-        let (first, rest) = (ONCE * once + FAINT, MORE * more + FAINT);
+        let (first, rest) = (RELATIVE * once + FAINT, RELATIVE * more + FAINT);
         [[once, first], [more, rest], [once + more, first + rest]]
     };
     let [top, bottom] =

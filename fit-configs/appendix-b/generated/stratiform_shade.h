@@ -47,7 +47,7 @@ static const float STRATIFORM_SIMILARITY = 0.14660156f;
 
 // The factors c_k of one face at one thickness, each named by what it multiplies: products of s = mu_l + mu_v,
 // p = mu_l mu_v and c = cosTheta.
-typedef struct StratiformShade {
+typedef struct StratiformShadeFactors {
     float one;
     float s;
     float p;
@@ -64,60 +64,60 @@ typedef struct StratiformShade {
     float ssc;
     float scc;
     float pcc;
-} StratiformShade;
+} StratiformShadeFactors;
 
 // ---- the rest: light that was scattered twice or more, over scaled = tau' = (1 - g) tau ------------------------------
 
 // Of light that leaves the lit face. Depends on the thickness alone: where many sights share it, compute it once.
-static inline StratiformShade stratiform_shade_of_top(float scaled) {
-    float u = scaled / (1.0f + scaled);
-    StratiformShade result = {
-        -2.3130934f + u * (-6.097313f + u * (20.893305f + u * (-25.336319f + u * 10.417897f))),
-        3.3955493f + u * (21.852808f + u * (-86.1537f + u * (112.42609f + u * -47.98421f))),
-        20.348763f + u * (26.237383f + u * (-195.82512f + u * (282.69595f + u * -126.61721f))),
-        2.2296388f + u * (-7.475441f + u * (17.709234f + u * (-18.653994f + u * 7.1157527f))),
-        -7.7997046f + u * (-21.602331f + u * (124.836044f + u * (-177.75464f + u * 79.28134f))),
-        -12.967833f + u * (-1.469933f + u * (89.66725f + u * (-154.2181f + u * 75.19039f))),
-        1.3268155f + u * (-11.637808f + u * (45.98778f + u * (-60.661728f + u * 25.821535f))),
-        -1.1657363f + u * (4.555482f + u * (-11.246737f + u * (11.190197f + u * -4.094742f))),
-        1.8768831f + u * (12.173944f + u * (-45.562572f + u * (55.55991f + u * -22.676304f))),
-        2.4146981f + u * (-9.165958f + u * (26.582014f + u * (-31.65639f + u * 13.063333f))),
-        -1.0751841f + u * (5.838621f + u * (-12.337774f + u * (12.251432f + u * -4.5562606f))),
-        -1.0131521f + u * (4.28482f + u * (-8.051799f + u * (7.260045f + u * -2.4983528f))),
-        3.8935041f + u * (4.2967696f + u * (-45.822124f + u * (73.31478f + u * -34.630547f))),
-        0.9510118f + u * (-7.710311f + u * (18.124424f + u * (-18.123747f + u * 6.681545f))),
-        0.09422915f + u * (0.63875884f + u * (-11.083704f + u * (17.996218f + u * -8.56184f))),
-        1.6497402f + u * (-2.8537614f + u * (3.8687446f + u * (-2.8219924f + u * 1.2070683f)))
+static inline StratiformShadeFactors stratiform_shade_of_top(float scaled) {
+    float x = scaled / (1.0f + scaled) - 0.5f;
+    StratiformShadeFactors result = {
+        -2.654345f + x * (1.0027015f + x * (-1.4843272f + x * (-4.500524f + x * 10.417897f))),
+        3.8377752f + x * (-3.973437f + x * (10.509104f + x * (16.457657f + x * -47.98421f))),
+        11.934592f + x * (-20.874378f + x * (38.292984f + x * (29.46152f + x * -126.61721f))),
+        1.0322123f + x * (-0.1988246f + x * (0.40187466f + x * (-4.4224873f + x * 7.1157527f))),
+        -4.6561065f + x * (9.558398f + x * (-22.873913f + x * (-19.191963f + x * 79.28134f))),
+        -5.863848f + x * (10.128947f + x * (-28.874294f + x * (-3.8373027f + x * 75.19039f))),
+        1.0359868f + x * (1.764445f + x * (-6.2725086f + x * (-9.01866f + x * 25.821535f))),
+        -0.55682635f + x * (-0.34597823f + x * (-0.60355383f + x * (3.0007136f + x * -4.094742f))),
+        2.1009314f + x * (-3.0568497f + x * (3.7628345f + x * (10.207302f + x * -22.676304f))),
+        1.3366318f + x * (0.20542918f + x * (-1.3075719f + x * (-5.529725f + x * 13.063333f))),
+        0.00634583f + x * (0.4112913f + x * (-0.79501647f + x * (3.138911f + x * -4.5562606f))),
+        -0.13233303f + x * (0.4288792f + x * (-0.9092598f + x * (2.2633398f + x * -2.4983528f))),
+        1.5862957f + x * (-3.854545f + x * (12.204225f + x * (4.053689f + x * -34.630547f))),
+        -0.2209093f + x * (0.1620761f + x * (0.96112186f + x * (-4.760657f + x * 6.681545f))),
+        -0.6429051f + x * (-1.2287012f + x * (3.067864f + x * (0.87253904f + x * -8.56184f))),
+        0.9127384f + x * (-0.497977f + x * (1.4463583f + x * (-0.40785587f + x * 1.2070683f)))
     };
     return result;
 }
 
 // Of light that leaves the other face.
-static inline StratiformShade stratiform_shade_of_bottom(float scaled) {
-    float u = scaled / (1.0f + scaled);
-    StratiformShade result = {
-        -1.9700459f + u * (-12.576896f + u * (25.603485f + u * (-21.019886f + u * 5.8899794f))),
-        2.0145113f + u * (49.613018f + u * (-143.57274f + u * (156.16077f + u * -58.27433f))),
-        20.241974f + u * (20.154894f + u * (-232.55446f + u * (360.90533f + u * -165.91582f))),
-        2.192093f + u * (-7.695234f + u * (8.524747f + u * (-2.031161f + u * -0.9745301f))),
-        -6.764198f + u * (-41.62394f + u * (187.23439f + u * (-246.9465f + u * 104.52611f))),
-        -14.980086f + u * (-15.496258f + u * (198.24129f + u * (-316.96838f + u * 148.41647f))),
-        3.0246725f + u * (6.563363f + u * (-60.14824f + u * (90.74785f + u * -41.110706f))),
-        -1.2495792f + u * (12.542859f + u * (-31.248865f + u * (28.335611f + u * -8.423876f))),
-        -4.4465466f + u * (18.48046f + u * (-38.162586f + u * (41.68478f + u * -17.587818f))),
-        2.8785164f + u * (-18.195633f + u * (39.88822f + u * (-37.28881f + u * 12.695576f))),
-        -0.7355156f + u * (4.0799603f + u * (-8.679969f + u * (8.228695f + u * -2.896958f))),
-        -1.2922223f + u * (11.071028f + u * (-29.992634f + u * (33.088726f + u * -12.890672f))),
-        3.844914f + u * (10.437369f + u * (-72.37228f + u * (108.4231f + u * -49.43526f))),
-        0.95729285f + u * (-5.3905087f + u * (14.04145f + u * (-15.899579f + u * 6.3464518f))),
-        0.4824206f + u * (6.424551f + u * (-27.553156f + u * (35.125256f + u * -14.446308f))),
-        1.1645161f + u * (-17.739563f + u * (64.158714f + u * (-85.387344f + u * 37.772614f)))
+static inline StratiformShadeFactors stratiform_shade_of_bottom(float scaled) {
+    float x = scaled / (1.0f + scaled) - 0.5f;
+    StratiformShadeFactors result = {
+        -4.1169844f + x * (0.20666428f + x * (2.9086242f + x * (-9.239927f + x * 5.8899794f))),
+        6.8057857f + x * (-5.976312f + x * (3.2569127f + x * (39.612103f + x * -58.27433f))),
+        6.9242353f + x * (-24.67847f + x * (59.92982f + x * (29.073702f + x * -165.91582f))),
+        0.16085933f + x * (-1.1811235f + x * (4.0162096f + x * (-3.9802213f + x * -0.9745301f))),
+        -5.1030006f + x * (12.663631f + x * (-26.396194f + x * (-37.894283f + x * 104.52611f))),
+        -3.512908f + x * (19.226997f + x * (-54.586544f + x * (-20.13541f + x * 148.41647f))),
+        0.04335575f + x * (-6.0793447f + x * (14.30747f + x * (8.526434f + x * -41.110706f))),
+        0.22509342f + x * (-1.6662343f + x * (-1.3812596f + x * (11.487861f + x * -8.423876f))),
+        -0.6356059f + x * (2.7875457f + x * (-2.0171459f + x * (6.5091443f + x * -17.587818f))),
+        -0.11487274f + x * (0.07376846f + x * (2.9983711f + x * (-11.897657f + x * 12.695576f))),
+        -0.018000586f + x * (0.12303368f + x * (-0.68236405f + x * (2.4347782f + x * -2.896958f))),
+        0.07555688f + x * (-0.55039823f + x * (0.3044459f + x * (7.307382f + x * -12.890672f))),
+        1.4337145f + x * (-5.335206f + x * (16.109493f + x * (9.552586f + x * -49.43526f))),
+        0.18160683f + x * (-0.100517556f + x * (-0.28824198f + x * (-3.206676f + x * 6.3464518f))),
+        0.29416975f + x * (-2.0078177f + x * (3.4652646f + x * (6.232639f + x * -14.446308f))),
+        0.021784276f + x * (1.2649523f + x * (-7.2633805f + x * (-9.842117f + x * 37.772614f)))
     };
     return result;
 }
 
 // The fitted factor: exp(sum of c_k B_k).
-static inline float stratiform_shade_factor(StratiformShade k, float mu_l, float mu_v, float v) {
+static inline float stratiform_shade_factor(StratiformShadeFactors k, float mu_l, float mu_v, float v) {
     float s = mu_l + mu_v;
     float p = mu_l * mu_v;
     float c = 1.0f - v;
@@ -138,14 +138,14 @@ static inline float stratiform_shade_envelope(float mu_l, float mu_v, float scal
 
 // Reflectance factor of light that was scattered twice or more by more than theta_f and leaves the lit face.
 static inline float stratiform_shade_more_top(
-    StratiformShade k, float mu_l, float mu_v, float v, float scaled
+    StratiformShadeFactors k, float mu_l, float mu_v, float v, float scaled
 ) {
     return stratiform_shade_envelope(mu_l, mu_v, scaled) * stratiform_shade_factor(k, mu_l, mu_v, v);
 }
 
 // The same at the other face.
 static inline float stratiform_shade_more_bottom(
-    StratiformShade k, float mu_l, float mu_v, float v, float scaled
+    StratiformShadeFactors k, float mu_l, float mu_v, float v, float scaled
 ) {
     float envelope = stratiform_shade_envelope(mu_l, mu_v, scaled) / (1.0f + 0.7f * scaled);
     return envelope * stratiform_shade_factor(k, mu_l, mu_v, v);
@@ -168,14 +168,16 @@ static inline float stratiform_shade_once_bottom(float mu_l, float mu_v, float w
 // ---- radiance --------------------------------------------------------------------------------------------------------
 
 // Reflectance factor of all light that leaves the lit face at mu_v, v = 1 - cosTheta, with the k of this tau.
-static inline float stratiform_shade_top_with(StratiformShade k, float mu_l, float mu_v, float v, float tau) {
+static inline float stratiform_shade_top_with(
+    StratiformShadeFactors k, float mu_l, float mu_v, float v, float tau
+) {
     return stratiform_shade_once_top(mu_l, mu_v, stratiform_phase_modified(v), STRATIFORM_KAPPA_S * tau)
         + stratiform_shade_more_top(k, mu_l, mu_v, v, STRATIFORM_SIMILARITY * tau);
 }
 
 // Reflectance factor of all light that leaves the other face; the sun's disc and the halo around it are not in it.
 static inline float stratiform_shade_bottom_with(
-    StratiformShade k, float mu_l, float mu_v, float v, float tau
+    StratiformShadeFactors k, float mu_l, float mu_v, float v, float tau
 ) {
     return stratiform_shade_once_bottom(mu_l, mu_v, stratiform_phase_modified(v), STRATIFORM_KAPPA_S * tau)
         + stratiform_shade_more_bottom(k, mu_l, mu_v, v, STRATIFORM_SIMILARITY * tau);
@@ -183,13 +185,13 @@ static inline float stratiform_shade_bottom_with(
 
 // Reflectance factor of all light that leaves the lit face at mu_v, v = 1 - cosTheta.
 static inline float stratiform_shade_top(float mu_l, float mu_v, float v, float tau) {
-    StratiformShade k = stratiform_shade_of_top(STRATIFORM_SIMILARITY * tau);
+    StratiformShadeFactors k = stratiform_shade_of_top(STRATIFORM_SIMILARITY * tau);
     return stratiform_shade_top_with(k, mu_l, mu_v, v, tau);
 }
 
 // Reflectance factor of all light that leaves the other face; the sun's disc and the halo around it are not in it.
 static inline float stratiform_shade_bottom(float mu_l, float mu_v, float v, float tau) {
-    StratiformShade k = stratiform_shade_of_bottom(STRATIFORM_SIMILARITY * tau);
+    StratiformShadeFactors k = stratiform_shade_of_bottom(STRATIFORM_SIMILARITY * tau);
     return stratiform_shade_bottom_with(k, mu_l, mu_v, v, tau);
 }
 

@@ -36,7 +36,7 @@ const STRATIFORM_SIMILARITY: f32 = 0.14660156;
 
 // The factors c_k of one face at one thickness, each named by what it multiplies: products of s = mu_l + mu_v,
 // p = mu_l mu_v and c = cosTheta.
-struct StratiformShade {
+struct StratiformShadeFactors {
     one: f32,
     s: f32,
     p: f32,
@@ -58,53 +58,53 @@ struct StratiformShade {
 // ---- the rest: light that was scattered twice or more, over scaled = tau' = (1 - g) tau ------------------------------
 
 // Of light that leaves the lit face. Depends on the thickness alone: where many sights share it, compute it once.
-fn stratiform_shade_of_top(scaled: f32) -> StratiformShade {
-    let u = scaled / (1.0 + scaled);
-    return StratiformShade(
-        -2.3130934 + u * (-6.097313 + u * (20.893305 + u * (-25.336319 + u * 10.417897))),
-        3.3955493 + u * (21.852808 + u * (-86.1537 + u * (112.42609 + u * -47.98421))),
-        20.348763 + u * (26.237383 + u * (-195.82512 + u * (282.69595 + u * -126.61721))),
-        2.2296388 + u * (-7.475441 + u * (17.709234 + u * (-18.653994 + u * 7.1157527))),
-        -7.7997046 + u * (-21.602331 + u * (124.836044 + u * (-177.75464 + u * 79.28134))),
-        -12.967833 + u * (-1.469933 + u * (89.66725 + u * (-154.2181 + u * 75.19039))),
-        1.3268155 + u * (-11.637808 + u * (45.98778 + u * (-60.661728 + u * 25.821535))),
-        -1.1657363 + u * (4.555482 + u * (-11.246737 + u * (11.190197 + u * -4.094742))),
-        1.8768831 + u * (12.173944 + u * (-45.562572 + u * (55.55991 + u * -22.676304))),
-        2.4146981 + u * (-9.165958 + u * (26.582014 + u * (-31.65639 + u * 13.063333))),
-        -1.0751841 + u * (5.838621 + u * (-12.337774 + u * (12.251432 + u * -4.5562606))),
-        -1.0131521 + u * (4.28482 + u * (-8.051799 + u * (7.260045 + u * -2.4983528))),
-        3.8935041 + u * (4.2967696 + u * (-45.822124 + u * (73.31478 + u * -34.630547))),
-        0.9510118 + u * (-7.710311 + u * (18.124424 + u * (-18.123747 + u * 6.681545))),
-        0.09422915 + u * (0.63875884 + u * (-11.083704 + u * (17.996218 + u * -8.56184))),
-        1.6497402 + u * (-2.8537614 + u * (3.8687446 + u * (-2.8219924 + u * 1.2070683))),
+fn stratiform_shade_of_top(scaled: f32) -> StratiformShadeFactors {
+    let x = scaled / (1.0 + scaled) - 0.5;
+    return StratiformShadeFactors(
+        -2.654345 + x * (1.0027015 + x * (-1.4843272 + x * (-4.500524 + x * 10.417897))),
+        3.8377752 + x * (-3.973437 + x * (10.509104 + x * (16.457657 + x * -47.98421))),
+        11.934592 + x * (-20.874378 + x * (38.292984 + x * (29.46152 + x * -126.61721))),
+        1.0322123 + x * (-0.1988246 + x * (0.40187466 + x * (-4.4224873 + x * 7.1157527))),
+        -4.6561065 + x * (9.558398 + x * (-22.873913 + x * (-19.191963 + x * 79.28134))),
+        -5.863848 + x * (10.128947 + x * (-28.874294 + x * (-3.8373027 + x * 75.19039))),
+        1.0359868 + x * (1.764445 + x * (-6.2725086 + x * (-9.01866 + x * 25.821535))),
+        -0.55682635 + x * (-0.34597823 + x * (-0.60355383 + x * (3.0007136 + x * -4.094742))),
+        2.1009314 + x * (-3.0568497 + x * (3.7628345 + x * (10.207302 + x * -22.676304))),
+        1.3366318 + x * (0.20542918 + x * (-1.3075719 + x * (-5.529725 + x * 13.063333))),
+        0.00634583 + x * (0.4112913 + x * (-0.79501647 + x * (3.138911 + x * -4.5562606))),
+        -0.13233303 + x * (0.4288792 + x * (-0.9092598 + x * (2.2633398 + x * -2.4983528))),
+        1.5862957 + x * (-3.854545 + x * (12.204225 + x * (4.053689 + x * -34.630547))),
+        -0.2209093 + x * (0.1620761 + x * (0.96112186 + x * (-4.760657 + x * 6.681545))),
+        -0.6429051 + x * (-1.2287012 + x * (3.067864 + x * (0.87253904 + x * -8.56184))),
+        0.9127384 + x * (-0.497977 + x * (1.4463583 + x * (-0.40785587 + x * 1.2070683))),
     );
 }
 
 // Of light that leaves the other face.
-fn stratiform_shade_of_bottom(scaled: f32) -> StratiformShade {
-    let u = scaled / (1.0 + scaled);
-    return StratiformShade(
-        -1.9700459 + u * (-12.576896 + u * (25.603485 + u * (-21.019886 + u * 5.8899794))),
-        2.0145113 + u * (49.613018 + u * (-143.57274 + u * (156.16077 + u * -58.27433))),
-        20.241974 + u * (20.154894 + u * (-232.55446 + u * (360.90533 + u * -165.91582))),
-        2.192093 + u * (-7.695234 + u * (8.524747 + u * (-2.031161 + u * -0.9745301))),
-        -6.764198 + u * (-41.62394 + u * (187.23439 + u * (-246.9465 + u * 104.52611))),
-        -14.980086 + u * (-15.496258 + u * (198.24129 + u * (-316.96838 + u * 148.41647))),
-        3.0246725 + u * (6.563363 + u * (-60.14824 + u * (90.74785 + u * -41.110706))),
-        -1.2495792 + u * (12.542859 + u * (-31.248865 + u * (28.335611 + u * -8.423876))),
-        -4.4465466 + u * (18.48046 + u * (-38.162586 + u * (41.68478 + u * -17.587818))),
-        2.8785164 + u * (-18.195633 + u * (39.88822 + u * (-37.28881 + u * 12.695576))),
-        -0.7355156 + u * (4.0799603 + u * (-8.679969 + u * (8.228695 + u * -2.896958))),
-        -1.2922223 + u * (11.071028 + u * (-29.992634 + u * (33.088726 + u * -12.890672))),
-        3.844914 + u * (10.437369 + u * (-72.37228 + u * (108.4231 + u * -49.43526))),
-        0.95729285 + u * (-5.3905087 + u * (14.04145 + u * (-15.899579 + u * 6.3464518))),
-        0.4824206 + u * (6.424551 + u * (-27.553156 + u * (35.125256 + u * -14.446308))),
-        1.1645161 + u * (-17.739563 + u * (64.158714 + u * (-85.387344 + u * 37.772614))),
+fn stratiform_shade_of_bottom(scaled: f32) -> StratiformShadeFactors {
+    let x = scaled / (1.0 + scaled) - 0.5;
+    return StratiformShadeFactors(
+        -4.1169844 + x * (0.20666428 + x * (2.9086242 + x * (-9.239927 + x * 5.8899794))),
+        6.8057857 + x * (-5.976312 + x * (3.2569127 + x * (39.612103 + x * -58.27433))),
+        6.9242353 + x * (-24.67847 + x * (59.92982 + x * (29.073702 + x * -165.91582))),
+        0.16085933 + x * (-1.1811235 + x * (4.0162096 + x * (-3.9802213 + x * -0.9745301))),
+        -5.1030006 + x * (12.663631 + x * (-26.396194 + x * (-37.894283 + x * 104.52611))),
+        -3.512908 + x * (19.226997 + x * (-54.586544 + x * (-20.13541 + x * 148.41647))),
+        0.04335575 + x * (-6.0793447 + x * (14.30747 + x * (8.526434 + x * -41.110706))),
+        0.22509342 + x * (-1.6662343 + x * (-1.3812596 + x * (11.487861 + x * -8.423876))),
+        -0.6356059 + x * (2.7875457 + x * (-2.0171459 + x * (6.5091443 + x * -17.587818))),
+        -0.11487274 + x * (0.07376846 + x * (2.9983711 + x * (-11.897657 + x * 12.695576))),
+        -0.018000586 + x * (0.12303368 + x * (-0.68236405 + x * (2.4347782 + x * -2.896958))),
+        0.07555688 + x * (-0.55039823 + x * (0.3044459 + x * (7.307382 + x * -12.890672))),
+        1.4337145 + x * (-5.335206 + x * (16.109493 + x * (9.552586 + x * -49.43526))),
+        0.18160683 + x * (-0.100517556 + x * (-0.28824198 + x * (-3.206676 + x * 6.3464518))),
+        0.29416975 + x * (-2.0078177 + x * (3.4652646 + x * (6.232639 + x * -14.446308))),
+        0.021784276 + x * (1.2649523 + x * (-7.2633805 + x * (-9.842117 + x * 37.772614))),
     );
 }
 
 // The fitted factor: exp(sum of c_k B_k).
-fn stratiform_shade_factor(k: StratiformShade, mu_l: f32, mu_v: f32, v: f32) -> f32 {
+fn stratiform_shade_factor(k: StratiformShadeFactors, mu_l: f32, mu_v: f32, v: f32) -> f32 {
     let s = mu_l + mu_v;
     let p = mu_l * mu_v;
     let c = 1.0 - v;
@@ -124,12 +124,12 @@ fn stratiform_shade_envelope(mu_l: f32, mu_v: f32, scaled: f32) -> f32 {
 }
 
 // Reflectance factor of light that was scattered twice or more by more than theta_f and leaves the lit face.
-fn stratiform_shade_more_top(k: StratiformShade, mu_l: f32, mu_v: f32, v: f32, scaled: f32) -> f32 {
+fn stratiform_shade_more_top(k: StratiformShadeFactors, mu_l: f32, mu_v: f32, v: f32, scaled: f32) -> f32 {
     return stratiform_shade_envelope(mu_l, mu_v, scaled) * stratiform_shade_factor(k, mu_l, mu_v, v);
 }
 
 // The same at the other face.
-fn stratiform_shade_more_bottom(k: StratiformShade, mu_l: f32, mu_v: f32, v: f32, scaled: f32) -> f32 {
+fn stratiform_shade_more_bottom(k: StratiformShadeFactors, mu_l: f32, mu_v: f32, v: f32, scaled: f32) -> f32 {
     let envelope = stratiform_shade_envelope(mu_l, mu_v, scaled) / (1.0 + 0.7 * scaled);
     return envelope * stratiform_shade_factor(k, mu_l, mu_v, v);
 }
@@ -151,13 +151,13 @@ fn stratiform_shade_once_bottom(mu_l: f32, mu_v: f32, wide: f32, depth: f32) -> 
 // ---- radiance --------------------------------------------------------------------------------------------------------
 
 // Reflectance factor of all light that leaves the lit face at mu_v, v = 1 - cosTheta, with the k of this tau.
-fn stratiform_shade_top_with(k: StratiformShade, mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
+fn stratiform_shade_top_with(k: StratiformShadeFactors, mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
     return stratiform_shade_once_top(mu_l, mu_v, stratiform_phase_modified(v), STRATIFORM_KAPPA_S * tau)
         + stratiform_shade_more_top(k, mu_l, mu_v, v, STRATIFORM_SIMILARITY * tau);
 }
 
 // Reflectance factor of all light that leaves the other face; the sun's disc and the halo around it are not in it.
-fn stratiform_shade_bottom_with(k: StratiformShade, mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
+fn stratiform_shade_bottom_with(k: StratiformShadeFactors, mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
     return stratiform_shade_once_bottom(mu_l, mu_v, stratiform_phase_modified(v), STRATIFORM_KAPPA_S * tau)
         + stratiform_shade_more_bottom(k, mu_l, mu_v, v, STRATIFORM_SIMILARITY * tau);
 }

@@ -50,7 +50,7 @@ StratiformThrough stratiform_through(float mu_l, float mu_v, float depth) {
     float shortest = depth / (sun > view ? sun : view);
     // Nowhere 0: the mean over equal lengths is the limit of this one.
     float apart = abs(sun - view) + 1e-9 * sun;
-    StratiformBrackets b = stratiform_brackets(depth * apart / sun / view);
+    StratiformBrackets b = stratiform_brackets(shortest * (apart / (sun > view ? view : sun)));
     float decay = exp(-shortest);
     float share = decay / apart;
     float straight = (sun > view ? decay : decay * b.decay);

@@ -56,7 +56,7 @@ pub fn stratiform_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformThrough
     let shortest: f32 = depth / (if sun > view { sun } else { view });
     // Nowhere 0: the mean over equal lengths is the limit of this one.
     let apart: f32 = (sun - view).abs() + 1e-9 * sun;
-    let b: StratiformBrackets = stratiform_brackets(depth * apart / sun / view);
+    let b: StratiformBrackets = stratiform_brackets(shortest * (apart / (if sun > view { view } else { sun })));
     let decay: f32 = (-shortest).exp();
     let share: f32 = decay / apart;
     let straight: f32 = if sun > view { decay } else { decay * b.decay };

@@ -34,7 +34,7 @@ fn stratiform_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformThrough {
     let shortest = depth / select(view, sun, sun > view);
     // Nowhere 0: the mean over equal lengths is the limit of this one.
     let apart = abs(sun - view) + 1e-9 * sun;
-    let b = stratiform_brackets(depth * apart / sun / view);
+    let b = stratiform_brackets(shortest * (apart / select(sun, view, sun > view)));
     let decay = exp(-shortest);
     let share = decay / apart;
     let straight = select(decay * b.decay, decay, sun > view);

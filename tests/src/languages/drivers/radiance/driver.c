@@ -3,9 +3,11 @@
 #include <stdio.h>
 
 #ifdef STRATIFORM_TEST_METAL
+#include "stratiform_radiance.metal"
 #define RADIANCE(function) radiance.function
 #define HALO(function) halo.function
 #else
+#include "stratiform_radiance.h"
 #define RADIANCE(function) function
 #define HALO(function) function
 #endif
