@@ -5,11 +5,13 @@
 
 mod agreement;
 mod angular_books;
+mod atlas;
 mod atomic;
 mod chart;
 mod convergence;
 mod curves;
 mod error;
+mod errors;
 mod family;
 mod hash;
 mod json;
@@ -29,11 +31,13 @@ mod table;
 
 pub use agreement::{AgreementDocument, AgreementRow};
 pub use angular_books::{AngularBooksRow, AngularForm};
+pub use atlas::{AtlasCount, AtlasDocument, AtlasMethod, AtlasPlane, AtlasRow};
 pub use atomic::{create_folder, read_text, write_atomic};
 pub use chart::{ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, KnobRow};
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;
+pub use errors::{ErrorBlock, ErrorData, ErrorMethod, ErrorRow, ErrorTable};
 pub use family::{FamilyDocument, FamilyErrorRow, FamilyMember, FamilyPhaseRow};
 pub use hash::{hash_bytes, hash_of};
 pub use json::{read_json, to_json, write_json};
@@ -54,4 +58,4 @@ pub use quadrature::QuadratureRow;
 pub use radiance::{RadianceDocument, RadianceResult};
 pub use radiance_parameters::{RadianceFace, RadianceMisfit, RadianceParametersDocument, RadianceSample};
 pub use solver_cost::SolverCostRow;
-pub use table::{read_csv, read_numbered_csv, to_csv, write_csv};
+pub use table::{parse_csv, read_csv, read_numbered_csv, to_csv, write_csv};

@@ -10,8 +10,10 @@ use stratiform_quantities::Medium;
 pub enum PlaneSource {
     /// Photons: local estimates in the modified medium; in the full one order 1 so, later orders in bins.
     Mc,
-    /// The angular model, with the fitted parameters.
+    /// The angular model of the paper, with the fitted parameters.
     Model,
+    /// The fitted radiance model: single scattering and one exponential.
+    Radiance,
     /// The deterministic solver.
     Solver,
 }

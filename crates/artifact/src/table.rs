@@ -43,7 +43,18 @@ pub fn read_csv<T: DeserializeOwned>(path: &Path) -> Result<Vec<T>, ArtifactErro
 /// # Errors
 /// As [`read_csv`].
 pub fn read_numbered_csv<T: DeserializeOwned>(path: &Path) -> Result<Vec<(u64, T)>, ArtifactError> {
-    let text = atomic::read_text(path)?;
+    parse_numbered(&atomic::read_text(path)?, path)
+}
+
+/// The rows of a text; `origin` stands in messages.
+///
+/// # Errors
+/// [`ArtifactError::Format`] naming the line.
+pub fn parse_csv<T: DeserializeOwned>(text: &str, origin: &Path) -> Result<Vec<T>, ArtifactError> {
+    Ok(parse_numbered(text, origin)?.into_iter().map(|(_, row)| row).collect())
+}
+
+fn parse_numbered<T: DeserializeOwned>(text: &str, path: &Path) -> Result<Vec<(u64, T)>, ArtifactError> {
     let mut reader =
         csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
     let fault = |error: csv::Error| {

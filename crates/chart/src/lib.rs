@@ -3,12 +3,15 @@
 //! [`Sample::of_scene`] lays a grid over a scene's ranges ([`grid`]), gets the clouds' phase functions from the disk cache
 //! ([`clouds`]) and the truth from the deterministic solver on the full medium ([`truth`]). [`chart`] holds every method against
 //! it: [`Statistics`] of the relative error, nanoseconds per evaluation ([`cost`]), and the [`front`] of what nothing else beats.
-//! [`knobs()`] does the same for one method as its knob turns. Errors: [`ChartError`].
+//! [`atlas`] shows where each one breaks. [`knobs()`] does the same for one method as its knob turns; [`errors`] makes the data of
+//! the adviser. Errors: [`ChartError`].
 
 mod assess;
+pub mod atlas;
 pub mod clouds;
 pub mod cost;
 mod error;
+pub mod errors;
 pub mod front;
 pub mod grid;
 mod knobs;

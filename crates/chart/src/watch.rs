@@ -14,7 +14,10 @@ pub struct Watch<'a> {
 
 impl Watch<'_> {
     /// Does `step` unless told to stop, and says so.
-    pub(crate) fn over<T>(&self, step: impl FnOnce() -> Result<T, ChartError>) -> Result<T, ChartError> {
+    ///
+    /// # Errors
+    /// [`ChartError::Cancelled`], or those of `step`.
+    pub fn over<T>(&self, step: impl FnOnce() -> Result<T, ChartError>) -> Result<T, ChartError> {
         if self.cancel.load(Ordering::Relaxed) {
             return Err(ChartError::Cancelled);
         }

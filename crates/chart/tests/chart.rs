@@ -64,6 +64,7 @@ fn fake(name: &str, sample: &Sample, share: f64) -> Fake {
             domain: Domain::EVERYWHERE,
             radiance: true,
             flux: true,
+            promises: Default::default(),
             table_bytes: Some(12),
         },
         share,

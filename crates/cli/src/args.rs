@@ -1,7 +1,10 @@
 //! The command line exactly as typed. Turning it into checked objects is the commands' work.
 
+mod advise;
+mod atlas;
 mod chart;
 mod check;
+mod errors;
 mod export;
 mod nearest;
 mod phase_check;
@@ -12,8 +15,11 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 pub use crate::solve_args::SolveArgs;
+pub use advise::AdviseArgs;
+pub use atlas::AtlasArgs;
 pub use chart::ChartArgs;
 pub use check::CheckArgs;
+pub use errors::ErrorsArgs;
 pub use export::{ExportArgs, Format};
 pub use nearest::NearestArgs;
 pub use phase_check::{Convention, PhaseCheckArgs};
@@ -67,10 +73,16 @@ pub enum Command {
     PhaseCheck(PhaseCheckArgs),
     /// The nearest Henyey-Greenstein, two-lobe and HG + Draine functions, with their measured error.
     Nearest(NearestArgs),
+    /// The cheapest method that keeps an error, or the most accurate within a cost, for a scene.
+    Advise(AdviseArgs),
+    /// Error and cost of every method on the lattice that `advise` reads.
+    Errors(ErrorsArgs),
     /// Every stage, then the report: from droplets to shader tables.
     Reproduce(StageArgs),
     /// Error against cost of every way to shade a cloud layer, over scenes.
     Chart(ChartArgs),
+    /// Where each method breaks: thickness, angles, droplets and albedo from end to end, in f32 and f64.
+    Atlas(AtlasArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

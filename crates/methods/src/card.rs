@@ -1,6 +1,6 @@
 //! What a method says about itself.
 
-use crate::{Cloud, FluxPoint, MethodError, Point};
+use crate::{Cloud, FluxPoint, MethodError, Point, Promises};
 use stratiform_quantities::Range;
 
 /// Lighting techniques as Hufnagel & Held class them (*A survey of cloud lighting and rendering techniques*, 2012, section 4.1).
@@ -96,6 +96,8 @@ pub struct Card {
     pub class: Class,
     /// Where it claims to hold.
     pub domain: Domain,
+    /// How far from the truth it claims to be.
+    pub promises: Promises,
     /// Whether it gives radiances.
     pub radiance: bool,
     /// Whether it gives fluxes.

@@ -5,6 +5,7 @@
 //! renders everything in memory, and only then writes `figures/*.svg` and `report.html`, each whole or not at
 //! all. The bytes depend on the artifacts alone.
 
+mod atlas;
 mod chart;
 mod checks;
 mod error;
@@ -13,6 +14,7 @@ mod input;
 mod methods;
 mod page;
 
+pub use atlas::{AtlasSummary, build as build_atlas};
 pub use error::ReportError;
 use input::Inputs;
 pub use methods::{ChartSummary, build as build_chart};

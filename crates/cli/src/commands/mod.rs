@@ -1,8 +1,11 @@
 //! One file per command: from what was typed to what is printed.
 
+pub mod advise;
+pub mod atlas;
 pub mod chart;
 pub mod check;
 pub mod codegen;
+pub mod errors;
 pub mod export;
 pub mod mie;
 pub mod nearest;

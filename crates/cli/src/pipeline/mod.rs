@@ -26,6 +26,7 @@ mod solver_cost;
 pub mod source;
 mod stage;
 mod table;
+pub mod visible;
 
 pub use agreement::read as read_agreement;
 pub use run::{Target, provenance, run};

@@ -205,8 +205,8 @@ impl Chain<'_> {
     fn principal_plane(&self, work: &mut Workspace, parameters: &ParametersDocument) -> Result<(), CliError> {
         let Self { config, cloud, talk, .. } = *self;
         let Some(settings) = &config.principal_plane else { return work.without("principal-plane") };
-        let inputs =
-            (["optics", "fit"].map(|stage| work.hash_of_stage(stage)), settings, config.transport.seed);
+        let stages = ["optics", "fit", "radiance"].map(|stage| work.hash_of_stage(stage));
+        let inputs = (stages, settings, config.transport.seed);
         work.stage("principal-plane", &inputs, |dir| {
             principal_plane::write(config, settings, cloud, parameters, dir, talk)
         })

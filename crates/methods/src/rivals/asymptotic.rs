@@ -13,10 +13,11 @@
 
 use crate::lobe::Lobe;
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
+use crate::promise::region;
 use crate::scalar::Scalar;
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
-use crate::{Card, Class, Domain};
+use crate::{Card, Class, Domain, Promise, Promises};
 use stratiform_model::angular::{Emission, Sight};
 use stratiform_model::asymptotic::EXTRAPOLATION;
 use stratiform_quantities::{Range, Side};
@@ -73,6 +74,10 @@ pub(crate) fn method() -> Simple {
             mu_v: Range::closed(0.3, 1.0),
             omega: Range::closed(1.0, 1.0),
             ..Domain::EVERYWHERE
+        },
+        promises: Promises {
+            radiance: Some(Promise::relative(0.2, region([10.0, 1e6], 0.3))),
+            flux: Some(Promise::absolute(0.05, region([10.0, 1e6], 0.3))),
         },
         radiance: true,
         flux: true,

@@ -14,7 +14,7 @@ use crate::lobe::henyey_greenstein;
 use crate::scalar::{Scalar, second_mean};
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain};
+use crate::{Card, Class, Cloud, Domain, Promises};
 use stratiform_model::angular::Sight;
 use stratiform_quantities::Side;
 
@@ -60,6 +60,7 @@ pub(crate) fn method() -> Simple {
         source: "Schneider 2015, The real-time volumetric cloudscapes of Horizon: Zero Dawn",
         class: Class::Heuristic,
         domain: Domain::EVERYWHERE,
+        promises: Promises::default(),
         radiance: true,
         flux: false,
         table_bytes: Some(0),

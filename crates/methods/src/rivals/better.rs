@@ -1,14 +1,15 @@
 //! Single scattering exactly, everything beyond it as one fitted exponential.
 //!
 //! `stratiform_model::radiance`: I = I1 + D exp(Σ c_k(u) B_k), coefficients as accepted, g, P_f and P_S of the cloud. No fluxes.
-//! Domain: ω = 1 and r_e from 4 to 20 µm, the clouds of the fit; every thickness and direction, of which τ from 0.1 to 300 and
-//! θ up to 85° were fitted. Light that met forward events only is left out. Hufnagel & Held's class: mixed (4.1.6).
+//! Domain: ω = 1 and r_e from 4 to 20 µm, fitted at 7 µm and held against the others; every thickness and direction, of which τ from
+//! 0.1 to 300 and θ up to 85° were fitted. Light that met forward events only is left out. Hufnagel & Held's class: mixed (4.1.6).
 
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
+use crate::promise::region;
 use crate::scalar::Scalar;
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain, MethodError};
+use crate::{Card, Class, Cloud, Domain, MethodError, Promise, Promises};
 use stratiform_artifact::{RadianceFace, RadianceParametersDocument};
 use stratiform_model::angular::{PhaseLookup, Sight};
 use stratiform_model::radiance::{Coefficients, POWERS, Slab, TERMS};
@@ -55,6 +56,11 @@ fn coefficients(cloud: &Cloud) -> Result<Coefficients<f64>, MethodError> {
     Ok(coefficients)
 }
 
+/// Where it was fitted and held against other points, but for the aureole.
+fn promise() -> Promise {
+    Promise::relative(0.25, region([1e-3, 1e4], 0.1736)).outside_aureole(6.0)
+}
+
 /// With the accepted coefficients.
 pub(crate) fn method() -> Simple {
     let card = Card {
@@ -67,6 +73,7 @@ pub(crate) fn method() -> Simple {
             r_eff_um: Range::closed(4.0, 20.0),
             ..Domain::EVERYWHERE
         },
+        promises: Promises { radiance: Some(promise()), flux: None },
         radiance: true,
         flux: false,
         table_bytes: Some(4 * EMITTED_TEXELS + 2 * 4 * TERMS * POWERS),

@@ -7,9 +7,10 @@
 //! In the modified medium T counts light that met forward events only as unscattered, which the total does not see.
 
 use crate::grid::FluxGrid;
+use crate::promise::region;
 use crate::shade::exact;
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain, FluxPair, FluxPoint, MethodError, Point, Ready};
+use crate::{Card, Class, Cloud, Domain, FluxPair, FluxPoint, MethodError, Point, Promise, Promises, Ready};
 use std::sync::Arc;
 use stratiform_quantities::{Incidence, Medium, Order, Range};
 use stratiform_stats::Estimate;
@@ -136,6 +137,12 @@ fn traced(cloud: &Cloud, medium: Medium) -> Result<TraceMedium, TransportError> 
     }
 }
 
+/// Noise alone; of the modified medium, whose R and T are not quite the full one's, a little more.
+fn noise(medium: Medium) -> Promise {
+    let absolute = if medium == Medium::Full { 0.0 } else { 0.02 };
+    Promise { absolute, ..Promise::sigmas(5.0, region([0.0, 1e4], 0.0)) }
+}
+
 /// With `photons` for each sun.
 pub(crate) fn method(geometry: Geometry, medium: Medium, photons: f64) -> Simple {
     let card = Card {
@@ -144,6 +151,7 @@ pub(crate) fn method(geometry: Geometry, medium: Medium, photons: f64) -> Simple
         source: "Analog photon tracing; half-space histories serve every thickness",
         class: Class::PathTracing,
         domain: Domain { tau: Range::closed(0.0, 1e4), ..Domain::EVERYWHERE },
+        promises: Promises { radiance: None, flux: Some(noise(medium)) },
         radiance: geometry == Geometry::Plain,
         flux: true,
         table_bytes: None,

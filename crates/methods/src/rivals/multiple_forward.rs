@@ -18,7 +18,7 @@ use crate::lobe::{Hg, Lobe, Rayleigh};
 use crate::scalar::Scalar;
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain, Ready};
+use crate::{Card, Class, Cloud, Domain, Promises, Ready};
 use std::f64::consts::PI;
 use stratiform_model::angular::Sight;
 use stratiform_optics::phase::{HenyeyGreenstein, PhaseFunction};
@@ -66,6 +66,7 @@ fn card(name: &str, title: &'static str) -> Card {
         source: "Harris & Lastra 2001, Real-time cloud rendering, section 3; SkyWorks, SkyCloud.cpp",
         class: Class::SingleScattering,
         domain: Domain::EVERYWHERE,
+        promises: Promises::default(),
         radiance: true,
         flux: false,
         table_bytes: Some(0),

@@ -18,7 +18,7 @@ use crate::lobe::henyey_greenstein;
 use crate::scalar::Scalar;
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain};
+use crate::{Card, Class, Cloud, Domain, Promises};
 use stratiform_model::angular::Sight;
 
 /// a, b and c of the sources.
@@ -61,6 +61,7 @@ pub(crate) fn method(count: u32) -> Simple {
         source: "Wrenninge, Kulla & Lundqvist 2013, Oz: the great and volumetric; Hillaire 2016; Unity, VolumetricCloudsUtilities.hlsl",
         class: Class::Heuristic,
         domain: Domain::EVERYWHERE,
+        promises: Promises::default(),
         radiance: true,
         flux: false,
         table_bytes: Some(0),

@@ -16,7 +16,7 @@ use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
 use crate::scalar::{Scalar, least, mean_decay};
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain, MethodError, Ready};
+use crate::{Card, Class, Cloud, Domain, MethodError, Promises, Ready};
 use stratiform_model::angular::Sight;
 use stratiform_quantities::{Range, Side};
 use stratiform_tables::nearest::{Objective, jendersie_deon, nearest_diameter};
@@ -56,6 +56,7 @@ fn card(name: &str, title: &'static str, source: &'static str, table_bytes: usiz
         source,
         class: Class::SingleScattering,
         domain: Domain::EVERYWHERE,
+        promises: Promises::default(),
         radiance: true,
         flux: false,
         table_bytes: Some(table_bytes),

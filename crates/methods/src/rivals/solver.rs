@@ -5,15 +5,19 @@
 //! moment. Errors of radiances are those of the rule of order 2 alone. Not in the survey. Domain: all, N ∈ [2, 128].
 
 use crate::grid::{FluxGrid, RadianceGrid};
+use crate::promise::region;
 use crate::shade::exact;
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain, FluxPair, FluxPoint, MethodError, Point, Ready};
+use crate::{Card, Class, Cloud, Domain, FluxPair, FluxPoint, MethodError, Point, Promise, Promises, Ready};
 use stratiform_quantities::Incidence;
 use stratiform_stats::Estimate;
 use stratiform_transport::solve::{RadianceSolver, SolveMedium, Solver};
 
 /// Of the rule of order 2 and of the azimuth series.
 const TOLERANCE: f64 = 1e-4;
+
+/// Of radiances of order one.
+const ROUNDING: f64 = 1e-12;
 
 struct Streams {
     card: Card,
@@ -32,7 +36,7 @@ impl Ready for Streams {
                 .radiance_with_streams(self.streams, &grid.tau, &grid.mu_l, &grid.views)
                 .map_err(|error| self.card.failed(&error))?;
             for ((tau, sun, view), point) in grid.places.iter().zip(&grid.points) {
-                values[*point] = solved[(tau * grid.mu_l.len() + sun) * grid.views.len() + view];
+                values[*point] = trimmed(solved[(tau * grid.mu_l.len() + sun) * grid.views.len() + view]);
             }
         }
         Ok(values)
@@ -56,6 +60,11 @@ impl Ready for Streams {
     }
 }
 
+/// Deep in absorbing slabs light is below the rounding of the sums that it is made of, and may come out negative: 0 then.
+fn trimmed(estimate: Estimate) -> Estimate {
+    if (-ROUNDING..0.0).contains(&estimate.value) { Estimate { value: 0.0, ..estimate } } else { estimate }
+}
+
 /// With `streams` per hemisphere.
 pub(crate) fn method(streams: usize) -> Simple {
     let card = Card {
@@ -64,6 +73,10 @@ pub(crate) fn method(streams: usize) -> Simple {
         source: "Stamnes et al. 1988; Nakajima & Tanaka 1988",
         class: Class::Deterministic,
         domain: Domain::EVERYWHERE,
+        promises: Promises {
+            radiance: Some(Promise::relative(0.1, region([0.0, 1e4], 0.1))),
+            flux: Some(Promise::absolute(5e-3, region([0.0, 1e4], 0.0))),
+        },
         radiance: true,
         flux: true,
         table_bytes: None,

@@ -7,7 +7,7 @@
 use crate::grid::{FluxGrid, RadianceGrid};
 use crate::shade::exact;
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain, FluxPair, FluxPoint, MethodError, Point, Ready};
+use crate::{Card, Class, Cloud, Domain, FluxPair, FluxPoint, MethodError, Point, Promises, Ready};
 use stratiform_quantities::{Incidence, Range};
 use stratiform_stats::Estimate;
 use stratiform_transport::solve::{RadianceOrder, RadianceSolver, SolveMedium, Solver};
@@ -81,6 +81,7 @@ pub(crate) fn method(orders: u32) -> Simple {
         domain: Domain { tau: Range::closed(0.0, 1e4), ..Domain::EVERYWHERE },
         radiance: orders <= RADIANCES,
         flux: true,
+        promises: Promises::default(),
         table_bytes: None,
     };
     Simple::new(card, move |card, cloud: &Cloud| {

@@ -21,10 +21,11 @@
 //! below leaves out the scaled beam e^{-aτ'}, peak included. Domain: γ2 ≥ 0, hence ω from 0.8 (quadrature: any); g ∈ [0, 1).
 //! Hufnagel & Held's class: diffusion (4.1.2).
 
+use crate::promise::region;
 use crate::scalar::{Scalar, mean_decay, second_mean};
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
-use crate::{Card, Class, Cloud, Domain, MethodError};
+use crate::{Card, Class, Cloud, Domain, MethodError, Promise, Promises};
 use stratiform_model::angular::Sight;
 use stratiform_quantities::{Range, Side};
 
@@ -152,6 +153,7 @@ fn card(closure: Closure) -> Card {
         source,
         class: Class::Diffusion,
         domain: Domain { omega: Range::closed(lowest, 1.0), ..Domain::EVERYWHERE },
+        promises: Promises { radiance: None, flux: Some(Promise::absolute(0.1, region([0.0, 1e6], 0.2))) },
         radiance: true,
         flux: true,
         table_bytes: Some(0),

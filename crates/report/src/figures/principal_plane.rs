@@ -9,6 +9,7 @@ const COLOURS: [&str; 6] =
     [palette::BLUE, palette::ORANGE, palette::GREEN, palette::PURPLE, palette::VERMILION, palette::GREY];
 const PHOTONS: Style = Style::line(palette::BLUE, Line::Solid);
 const SOLVER: Style = Style::line(palette::BLACK, Line::Dotted);
+const RADIANCE: Style = Style::line(palette::VERMILION, Line::Dashed);
 const OTHER: Style = Style::line(palette::BLACK, Line::Dashed);
 
 /// Where the fogbow is looked for, degrees from the glory.
@@ -83,6 +84,11 @@ impl Curves<'_> {
     /// Empty where the model has no parameters.
     fn model(&self) -> Vec<Point> {
         self.curve(PlaneSource::Model, Medium::Modified, PlaneOrder::Total)
+    }
+
+    /// Empty where the config asks for no fitted radiance model.
+    fn radiance(&self) -> Vec<Point> {
+        self.curve(PlaneSource::Radiance, Medium::Full, PlaneOrder::Total)
     }
 
     /// All light: in the full medium, from photons.
@@ -238,6 +244,7 @@ fn model(scenes: &[Curves]) -> Figure {
         series.push(band(&total, PHOTONS));
         series.push(Series { style: PHOTONS, points: total.iter().map(|p| Point::new(p.x, p.y)).collect() });
         series.push(curves.solver());
+        series.push(Series { style: RADIANCE, points: curves.radiance() });
         curves.panels(&name(curves.scene), &series)
     };
     let orders = scenes.first().map(|c| c.orders(PlaneSource::Model, Medium::Modified)).unwrap_or_default();
@@ -247,12 +254,15 @@ fn model(scenes: &[Curves]) -> Figure {
         .collect();
     legend.push(LegendEntry::new("photons ± 1 standard error", PHOTONS));
     legend.push(LegendEntry::new("solver", SOLVER));
+    if scenes.iter().any(|curves| !curves.radiance().is_empty()) {
+        legend.push(LegendEntry::new("fitted radiance", RADIANCE));
+    }
     Figure {
         name: "plane-model".to_owned(),
         title: "The angular model against photons, in the plane of the sun".to_owned(),
         caption: format!(
             "Areas: orders of the corrected model with the fitted parameters, one on the other; I_{{3+}} is spread isotropically, \
-             as in the paper (figure 9). Line: all scattered light of the full medium, from photons. {WHERE}"
+             as in the paper (figure 9). Line: all scattered light of the full medium, from photons. Dashed: the fitted radiance model. {WHERE}"
         ),
         legend,
         rows: rows(scenes.iter().map(panel).collect()),

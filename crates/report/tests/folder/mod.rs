@@ -401,6 +401,7 @@ pub fn principal_plane() -> Vec<PrincipalPlaneRow> {
         (PlaneSource::Mc, Medium::Modified, &orders[..]),
         (PlaneSource::Mc, Medium::Full, &orders[..]),
         (PlaneSource::Model, Medium::Modified, &orders[..]),
+        (PlaneSource::Radiance, Medium::Full, &orders[3..]),
         (PlaneSource::Solver, Medium::Full, &orders[3..]),
     ];
     let mut rows = Vec::new();
@@ -410,7 +411,7 @@ pub fn principal_plane() -> Vec<PrincipalPlaneRow> {
                 for k in -11..=11 {
                     let theta_v_deg = 8.0 * f64::from(k);
                     let value = [0.1, 0.15, 0.25, 0.5][(n + 4 - orders.len()).min(3)] + 0.001 * theta_v_deg;
-                    let std_error = (source != PlaneSource::Model).then_some(0.01);
+                    let std_error = matches!(source, PlaneSource::Mc | PlaneSource::Solver).then_some(0.01);
                     let order = *order;
                     rows.push(PrincipalPlaneRow {
                         medium,

@@ -81,7 +81,7 @@ impl<'a> Between<'a> {
             ("P", plain(|p| p, |p| p)),
             ("log P", plain(libm::log, libm::exp)),
             ("log P stretched", self.mixed(stretched, libm::log, libm::exp)),
-            ("texels", self.from_texels()?),
+            ("texels", self.by_texels()?),
         ])
     }
 
@@ -95,7 +95,7 @@ impl<'a> Between<'a> {
         grid().map(|theta| back(at(0, theta) * (1.0 - weight) + at(1, theta) * weight)).collect()
     }
 
-    fn from_texels(&self) -> Result<Vec<f64>, CliError> {
+    fn by_texels(&self) -> Result<Vec<f64>, CliError> {
         let member =
             |k: usize| PhaseMember { effective_radius_um: self.radii[k], values: texels(self.tables[k]) };
         let family = PhaseFamily::<f64>::new(&[member(0), member(1)]).map_err(input_error)?;

@@ -1,23 +1,23 @@
-//! `figures/principal-plane.csv`: reflectance per order in the plane of the sun, from photons, model and solver.
+//! `figures/principal-plane.csv`: reflectance per order in the plane of the sun, from photons, models and solver.
 //!
 //! Modified medium: local estimates. Full medium: order 1 by local estimates, which its peak does not trouble; later
 //! orders in angular bins, 4° wide in θ_v and about 6° to either side of the plane. The model has the fitted parameters
 //! and spreads I3+ isotropically, as the paper does.
 
-use super::curves::{emitted, fluxes};
+mod modelled;
+
 use super::optics::Cloud;
 use super::reference::Media;
-use super::{input_error, stream_of_hash, trace_error};
+use super::{stream_of_hash, trace_error};
 use crate::config::{Config, PlaneScene, PrincipalPlaneConfig};
 use crate::output::Talk;
 use crate::{CliError, interrupt, progress};
+use modelled::Models;
 use std::path::Path;
 use stratiform_artifact::{
     ParametersDocument, PlaneOrder, PlaneSource, PrincipalPlaneRow, create_folder, hash_of, write_csv,
 };
-use stratiform_model::angular::{Angular, Emission, PhaseLookup, Sight};
 use stratiform_model::table::cos_degrees;
-use stratiform_optics::phase::{PhaseFunction, PhaseTable};
 use stratiform_quantities::{Medium, Order, Side};
 use stratiform_stats::Estimate;
 use stratiform_transport::TraceMedium;
@@ -50,7 +50,7 @@ pub fn write(
 ) -> Result<Vec<String>, CliError> {
     const FILE: &str = "figures/principal-plane.csv";
     let media = Media::new(config, cloud)?;
-    let tables = Tables::new(config, cloud)?;
+    let models = Models::new(config, cloud, parameters, dir)?;
     let spinner = progress::spinner("principal plane", talk.quiet);
     let mut rows = Vec::new();
     for scene in &settings.scenes {
@@ -59,7 +59,7 @@ pub fn write(
         plane.modified(&mut rows, modified, settings)?;
         plane.full(&mut rows, full, settings)?;
         plane.solved(&mut rows, full)?;
-        plane.model(&mut rows, parameters, &tables)?;
+        rows.extend(models.rows(&plane)?);
     }
     spinner.finish_and_clear();
     create_folder(&dir.join("figures"))?;
@@ -122,7 +122,7 @@ impl Plane {
         value: Estimate,
     ) -> PrincipalPlaneRow {
         let PlaneScene { theta_l_deg, thickness_m } = self.scene;
-        let std_error = (source != PlaneSource::Model).then_some(value.std_error);
+        let std_error = matches!(source, PlaneSource::Mc | PlaneSource::Solver).then_some(value.std_error);
         PrincipalPlaneRow {
             medium,
             theta_l_deg,
@@ -206,38 +206,6 @@ impl Plane {
         }));
         Ok(())
     }
-
-    /// The model, where the table has the sun's angle.
-    fn model(
-        &self,
-        rows: &mut Vec<PrincipalPlaneRow>,
-        parameters: &ParametersDocument,
-        tables: &Tables,
-    ) -> Result<(), CliError> {
-        let PlaneScene { theta_l_deg, thickness_m } = self.scene;
-        let metres = &parameters.metres;
-        let Some(row) = metres.rows.iter().find(|row| row.theta_l_deg.degrees() == Some(theta_l_deg)) else {
-            return Ok(());
-        };
-        let fluxes = fluxes(&emitted(metres, row), theta_l_deg, thickness_m)?;
-        let depth = metres.kappa_s * thickness_m;
-        for theta in angles(LAST, 2, 0) {
-            let View { mu, phi_deg, .. } = view(theta);
-            let sight = Sight::new(self.mu0, mu, phi_deg, Side::Top)?;
-            let orders = Angular::new(depth, sight)?.orders(tables, &fluxes, Emission::Isotropic);
-            let values = [
-                (PlaneOrder::Exactly(1), orders.one),
-                (PlaneOrder::Exactly(2), orders.two),
-                (PlaneOrder::From(3), orders.three_plus),
-                (PlaneOrder::Total, orders.total()),
-            ];
-            rows.extend(values.map(|(order, value)| {
-                let value = Estimate { value, std_error: 0.0 };
-                self.row(PlaneSource::Model, Medium::Modified, theta, order, value)
-            }));
-        }
-        Ok(())
-    }
 }
 
 /// Orders of photons that are counted in bins.
@@ -258,35 +226,6 @@ fn later(binned: &BinRadiance, theta: f64, orders: &[Order]) -> Estimate {
     let count = (1..phis / 2).find(|k| AZIMUTHS[*k] * sine >= 5.5).unwrap_or(phis / 2);
     let phi = if theta < 0.0 { phis - count..phis } else { 0..count };
     binned.estimate_over(Side::Top, mu, phi, orders)
-}
-
-/// The model's phase functions.
-struct Tables {
-    full: PhaseTable,
-    wide: PhaseTable,
-    squared: PhaseTable,
-}
-
-impl Tables {
-    fn new(config: &Config, cloud: &Cloud) -> Result<Self, CliError> {
-        let wide = cloud.phase.modified(config.optics.theta_f_deg).map_err(input_error)?;
-        let squared = wide.squared().map_err(input_error)?;
-        Ok(Self { full: cloud.phase.clone(), wide, squared })
-    }
-}
-
-impl PhaseLookup<f64> for Tables {
-    fn full(&self, v: f64) -> f64 {
-        self.full.value(v)
-    }
-
-    fn wide(&self, v: f64) -> f64 {
-        self.wide.value(v)
-    }
-
-    fn wide_squared(&self, v: f64) -> f64 {
-        self.squared.value(v)
-    }
 }
 
 #[cfg(test)]

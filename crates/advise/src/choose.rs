@@ -1,0 +1,251 @@
+//! The choice.
+
+use crate::cover::{Population, fluxes, populations};
+use crate::extent;
+use crate::predict::{Points, predict};
+use crate::{Advice, AdviseError, Bounce, Budget, Channels, Data, Prediction, Rejected};
+use std::cmp::Ordering;
+use stratiform_artifact::{ErrorData, ErrorMethod};
+use stratiform_scene::{Effect, Interval, Scene};
+
+/// ρ where the scene's ground is seen and nobody says: grass and soil.
+const GROUND_ALBEDO: f64 = 0.2;
+
+/// A method in a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Candidate {
+    /// Its record.
+    pub method: ErrorMethod,
+    /// One value for all channels, or one each.
+    pub channels: Channels,
+    /// What it promises.
+    pub prediction: Prediction,
+    /// Nanoseconds for a pixel.
+    pub ns: f64,
+    /// Tables of all channels.
+    pub table_bytes: u64,
+}
+
+impl Candidate {
+    fn meets(&self, budget: &Budget) -> bool {
+        budget.allows_error(self.prediction.error)
+            && budget.allows_ns(self.ns)
+            && self.prediction.refused == 0.0
+    }
+
+    /// Cheaper first; among equals smaller tables, then smaller errors.
+    fn by_cost(&self, other: &Self) -> Ordering {
+        let cost = |one: &Self| (one.ns, one.table_bytes as f64, one.prediction.error);
+        let ([a, b], [c, d], [e, f]) = {
+            let (x, y) = (cost(self), cost(other));
+            ([x.0, y.0], [x.1, y.1], [x.2, y.2])
+        };
+        a.total_cmp(&b).then(c.total_cmp(&d)).then(e.total_cmp(&f))
+    }
+
+    /// What refuses nothing first, then smaller errors, then cheaper.
+    fn by_error(&self, other: &Self) -> Ordering {
+        let refused = self.prediction.refused.total_cmp(&other.prediction.refused);
+        refused.then(self.prediction.error.total_cmp(&other.prediction.error)).then(self.by_cost(other))
+    }
+}
+
+/// Every listed method that gives radiances, in the order of the data, in grey and in colours.
+///
+/// # Errors
+/// [`AdviseError`] if the scene is not covered by the data.
+pub fn candidates(data: &Data, scene: &Scene, tau: Interval) -> Result<Vec<Candidate>, AdviseError> {
+    data.check(scene, tau)?;
+    Ok(weigh(data, &Points::new(data, &populations(scene, tau).0), scene.wavelengths_um.len()))
+}
+
+/// Each method twice: one value for all channels, and one each; once where there is one wavelength.
+fn weigh(data: &Data, points: &Points, wavelengths: usize) -> Vec<Candidate> {
+    let listed = data.methods().iter().zip(ErrorData::ORDERS.len()..);
+    let mut all = Vec::new();
+    for (method, column) in listed {
+        let Some(ns) = method.ns else { continue };
+        for (channels, count) in [(Channels::Grey, 1), (Channels::Rgb, wavelengths)] {
+            if channels == Channels::Grey || wavelengths > 1 {
+                let prediction = predict(data, points, column, channels == Channels::Grey && wavelengths > 1);
+                let table_bytes = count as u64 * method.table_bytes;
+                let method = method.clone();
+                all.push(Candidate { method, channels, prediction, ns: count as f64 * ns, table_bytes });
+            }
+        }
+    }
+    all
+}
+
+/// What to use for `scene`, whose optical thickness runs over `tau`; `ground_albedo` counts where the ground's light is seen.
+///
+/// # Errors
+/// [`AdviseError::Domain`] if the scene is not covered by the data or the albedo is none. A budget that nothing meets is no error:
+/// [`Advice::met`] says so.
+pub fn advise(
+    data: &Data,
+    scene: &Scene,
+    tau: Interval,
+    budget: &Budget,
+    ground_albedo: Option<f64>,
+) -> Result<Advice, AdviseError> {
+    data.check(scene, tau)?;
+    let (populations, unseen) = populations(scene, tau);
+    let points = Points::new(data, &populations);
+    let bounce = bounce(data, scene, tau, budget, ground_albedo)?;
+    let extra = bounce.as_ref().map_or(0.0, |bounce| bounce.ns);
+    let mut all = weigh(data, &points, scene.wavelengths_um.len());
+    all.iter_mut().for_each(|one| one.ns += extra);
+    let chosen = choose(&all, budget)
+        .ok_or_else(|| AdviseError::Missing { block: "methods of radiance".to_owned() })?;
+    let met = chosen.meets(budget) && bounce.as_ref().is_none_or(|bounce| budget.allows_error(bounce.error));
+    let allowed = budget.max_error.unwrap_or(chosen.prediction.error);
+    let effective_radius_nodes_um = extent::radii(data, scene, &populations[0], allowed);
+    let per_radius = effective_radius_nodes_um.len() as u64;
+    Ok(Advice {
+        schema: "stratiform/advice/1".to_owned(),
+        title: scene.title.clone(),
+        budget: *budget,
+        met,
+        method: chosen.method.name.clone(),
+        method_title: chosen.method.title.clone(),
+        channels: chosen.channels,
+        prediction: chosen.prediction.clone(),
+        ns: chosen.ns,
+        table_bytes: per_radius * chosen.table_bytes,
+        phase_texels: chosen.method.texels,
+        orders: extent::orders(data, &points, allowed),
+        effective_radius_nodes_um,
+        theta_l_nodes_deg: extent::suns(data, scene, tau, allowed),
+        bounce,
+        notes: data.notes(scene, &unseen),
+        rejected: rejected(data, &all, chosen, budget),
+    })
+}
+
+/// The cheapest that meets the budget; with a cost alone the most accurate within it; else what comes nearest.
+fn choose<'a>(all: &'a [Candidate], budget: &Budget) -> Option<&'a Candidate> {
+    let meeting = all.iter().filter(|one| one.meets(budget));
+    let best = match budget.max_error {
+        Some(_) => meeting.min_by(|a, b| a.by_cost(b)),
+        None => meeting.min_by(|a, b| a.by_error(b)),
+    };
+    let within = || all.iter().filter(|one| budget.allows_ns(one.ns)).min_by(|a, b| a.by_error(b));
+    let cheapest = || all.iter().min_by(|a, b| a.by_cost(b));
+    best.or_else(within).or_else(cheapest)
+}
+
+fn rejected(data: &Data, all: &[Candidate], chosen: &Candidate, budget: &Budget) -> Vec<Rejected> {
+    let others = data.methods().iter().filter(|method| method.name != chosen.method.name);
+    let of = |method: &ErrorMethod| {
+        let own = all.iter().filter(|one| one.method.name == method.name);
+        let best = own.clone().filter(|one| one.meets(budget)).min_by(|a, b| a.by_cost(b));
+        let Some(one) = best.or_else(|| own.min_by(|a, b| a.by_error(b))) else {
+            let reason = "gives no radiance".to_owned();
+            return Rejected { method: method.name.clone(), error: None, ns: None, reason };
+        };
+        let (error, ns) = (Some(one.prediction.error), Some(one.ns));
+        Rejected { method: method.name.clone(), error, ns, reason: reason(one, chosen, budget) }
+    };
+    others.map(of).collect()
+}
+
+fn reason(one: &Candidate, chosen: &Candidate, budget: &Budget) -> String {
+    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+    if one.prediction.refused > 0.0 {
+        return format!("refuses {} of the scene", percent(one.prediction.refused));
+    }
+    if let Some(most) = budget.max_error.filter(|most| one.prediction.error > *most) {
+        return format!("error {} is over {}", percent(one.prediction.error), percent(most));
+    }
+    if let Some(most) = budget.max_ns.filter(|most| one.ns > *most) {
+        return format!("{:.1} ns are over {most}", one.ns);
+    }
+    match one.ns.total_cmp(&chosen.ns) {
+        _ if budget.max_error.is_none() => format!("error {} is larger", percent(one.prediction.error)),
+        Ordering::Greater => format!("dearer: {:.1} ns", one.ns),
+        _ => format!("larger tables: {} bytes", one.table_bytes),
+    }
+}
+
+/// The cheapest method of R and T within the budget, or the most accurate, and how often light goes to and fro.
+fn bounce(
+    data: &Data,
+    scene: &Scene,
+    tau: Interval,
+    budget: &Budget,
+    ground_albedo: Option<f64>,
+) -> Result<Option<Bounce>, AdviseError> {
+    let ground_albedo = ground_albedo.unwrap_or(GROUND_ALBEDO);
+    stratiform_quantities::Range::closed(0.0, 1.0).check("ground albedo", ground_albedo)?;
+    if !scene.visible.contains(&Effect::GroundBounce) {
+        return Ok(None);
+    }
+    let everywhere: Population = fluxes(scene, tau, data.flux_suns().last().copied().unwrap_or(0.0));
+    let points = Points::new(data, &[everywhere]);
+    let listed = data.methods().iter().zip(ErrorData::ORDERS.len()..);
+    let given: Vec<(&ErrorMethod, f64, f64)> = listed
+        .filter_map(|(method, column)| {
+            let prediction = predict(data, &points, column, false);
+            (prediction.refused == 0.0).then_some((method, prediction.error, method.flux_ns?))
+        })
+        .collect();
+    let cheap = given.iter().filter(|one| budget.max_error.is_some() && budget.allows_error(one.1));
+    let chosen = cheap.min_by(|a, b| a.2.total_cmp(&b.2).then(a.1.total_cmp(&b.1)));
+    let Some((method, error, ns)) = chosen.or_else(|| given.iter().min_by(|a, b| a.1.total_cmp(&b.1))) else {
+        return Err(AdviseError::Missing { block: "methods of fluxes".to_owned() });
+    };
+    let cloud_albedo = extent::diffuse_albedo(data, scene, tau);
+    let passes = extent::passes(ground_albedo * cloud_albedo, budget.max_error.unwrap_or(*error));
+    Ok(Some(Bounce {
+        method: method.name.clone(),
+        error: *error,
+        ns: *ns,
+        ground_albedo,
+        cloud_albedo,
+        passes,
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn candidate(name: &str, error: f64, ns: f64, table_bytes: u64, refused: f64) -> Candidate {
+        let method = ErrorMethod {
+            name: name.to_owned(),
+            title: name.to_owned(),
+            radiance: true,
+            flux: false,
+            ns: Some(ns),
+            flux_ns: None,
+            table_bytes,
+            texels: None,
+        };
+        let prediction = Prediction { error, median: error, worst: error, decided_by: None, refused };
+        Candidate { method, channels: Channels::Grey, prediction, ns, table_bytes }
+    }
+
+    #[test]
+    fn the_cheapest_is_chosen_then_the_smallest_and_never_one_that_refuses() {
+        let all = [
+            candidate("refuses", 0.01, 1.0, 0, 0.1),
+            candidate("rough", 0.3, 2.0, 0, 0.0),
+            candidate("big", 0.05, 10.0, 4096, 0.0),
+            candidate("small", 0.08, 10.0, 256, 0.0),
+            candidate("best", 0.01, 50.0, 0, 0.0),
+        ];
+        let name = |max_error, max_ns| {
+            let budget = Budget::new(max_error, max_ns).unwrap();
+            let chosen = choose(&all, &budget).unwrap();
+            (chosen.method.name.as_str(), chosen.meets(&budget))
+        };
+        assert_eq!(name(Some(0.1), None), ("small", true));
+        assert_eq!(name(Some(0.06), None), ("big", true));
+        assert_eq!(name(Some(0.5), None), ("rough", true));
+        assert_eq!(name(None, Some(20.0)), ("big", true));
+        assert_eq!(name(Some(0.001), None), ("best", false));
+        assert_eq!(name(Some(0.02), Some(20.0)), ("big", false));
+        assert_eq!(name(None, Some(0.5)), ("refuses", false));
+    }
+}

@@ -1,0 +1,114 @@
+//! What a method promises in a scene.
+
+use crate::cover::{Ask, Population};
+use crate::data::{Data, Value};
+use serde::{Deserialize, Serialize};
+use stratiform_artifact::ErrorBlock;
+use stratiform_scene::Effect;
+
+/// Times the 95th percentile of the interpolated error: what lies between the nodes. Set from the first scenes of seed 2027 of
+/// `scripts/verify-advice`, in which the error reached was up to 2.1 times the percentile.
+pub const MARGIN: f64 = 2.0;
+
+/// Added to it: rounding of the data and error of the truth.
+pub const FLOOR: f64 = 0.004;
+
+/// Relative errors of radiance (or of R and T) over a scene.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Prediction {
+    /// 95th percentile with the margin, the largest of the scene's and of every visible effect's.
+    pub error: f64,
+    /// Median over the scene.
+    pub median: f64,
+    /// Largest at any point.
+    pub worst: f64,
+    /// The effect whose percentile is the largest; absent where it is the scene as a whole.
+    pub decided_by: Option<Effect>,
+    /// Share of points where the method refuses, the largest of any population.
+    pub refused: f64,
+}
+
+/// The 95th percentile: the smallest error that at most 5 % of the points exceed.
+pub fn percentile(sizes: &mut [f64], share: f64) -> f64 {
+    sizes.sort_by(f64::total_cmp);
+    let place = libm::ceil(share * sizes.len() as f64) as usize;
+    sizes.get(place.saturating_sub(1)).copied().unwrap_or(0.0)
+}
+
+/// Of column `column`; `size` turns a signed error at a place into what counts there.
+pub(crate) fn predict(data: &Data, points: &Points, column: usize, grey: bool) -> Prediction {
+    let mut prediction = Prediction { error: 0.0, median: 0.0, worst: 0.0, decided_by: None, refused: 0.0 };
+    for (effect, places) in &points.populations {
+        let mut sizes = Vec::new();
+        let mut refused = 0;
+        for place in places {
+            match data.value(&place.nodes, column) {
+                Value::Known(error) if grey => sizes.push(place.worst_channel(error)),
+                Value::Known(error) => sizes.push(error.abs()),
+                Value::Refused => refused += 1,
+                Value::Unknown => {}
+            }
+        }
+        let count = (sizes.len() + refused).max(1);
+        let error = MARGIN * percentile(&mut sizes, 0.95) + FLOOR;
+        if error > prediction.error {
+            (prediction.error, prediction.decided_by) = (error, *effect);
+        }
+        if effect.is_none() {
+            prediction.median = percentile(&mut sizes, 0.5);
+        }
+        prediction.worst = prediction.worst.max(sizes.last().copied().unwrap_or(0.0));
+        prediction.refused = prediction.refused.max(refused as f64 / count as f64);
+    }
+    prediction
+}
+
+/// Populations with the nodes round each point, found once for all methods.
+pub(crate) struct Points {
+    pub(crate) populations: Vec<(Option<Effect>, Vec<Place>)>,
+}
+
+/// A point.
+pub(crate) struct Place {
+    pub(crate) nodes: Vec<(usize, f64)>,
+    /// Red and blue over green, less 1; 0 where not known or not asked.
+    hues: [f64; 2],
+}
+
+impl Place {
+    /// Error of the worst channel where green's value serves all: (1+e)/(1+d) - 1.
+    fn worst_channel(&self, error: f64) -> f64 {
+        let others = self.hues.map(|hue| ((1.0 + error) / (1.0 + hue) - 1.0).abs());
+        others.into_iter().fold(error.abs(), f64::max)
+    }
+}
+
+impl Points {
+    pub(crate) fn new(data: &Data, populations: &[Population]) -> Self {
+        let place = |block: ErrorBlock, ask: &Ask| Place {
+            nodes: data.nodes(block, ask),
+            hues: data.hues(block, ask).unwrap_or([0.0; 2]),
+        };
+        let of = |one: &Population| (one.effect, one.asks.iter().map(|ask| place(one.block, ask)).collect());
+        Self { populations: populations.iter().map(of).collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percentiles_count_from_below() {
+        let mut values: Vec<f64> = (1..=100).rev().map(f64::from).collect();
+        assert_eq!((percentile(&mut values, 0.95), percentile(&mut values, 0.5)), (95.0, 50.0));
+        assert_eq!(percentile(&mut [], 0.95), 0.0);
+    }
+
+    #[test]
+    fn a_grey_value_errs_most_where_colours_differ() {
+        let place = Place { nodes: Vec::new(), hues: [0.25, -0.2] };
+        assert!((place.worst_channel(0.0) - 0.25).abs() < 1e-15);
+        assert!((place.worst_channel(0.25) - 0.5625).abs() < 1e-15);
+    }
+}

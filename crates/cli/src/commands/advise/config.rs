@@ -1,0 +1,60 @@
+//! A fit-config that emits what is advised.
+
+use stratiform_advise::{Advice, Channels};
+use stratiform_scene::{Interval, Scene};
+
+/// N0 where the scene does not say; it turns thickness into metres and back.
+const NUMBER_PER_CM3: f64 = 300.0;
+
+/// Bounds as those of the paper's cloud.
+const CHECK: &str = "[check.model]\nup_to_deg = 80.0\nparameters_relative = 0.005\nt_ms = 0.015\nt_1 = 0.025\nt_2 = 0.045\nr_1 = 0.015\n\
+                     r_2 = 0.015\n";
+
+/// The text.
+pub fn text(advice: &Advice, scene: &Scene, tau: Interval) -> String {
+    let radii = &advice.effective_radius_nodes_um;
+    let radius = radii[radii.len() / 2];
+    let number = scene.droplets.number_density_per_cm3.unwrap_or(NUMBER_PER_CM3);
+    let kappa = 1e-6 * number * std::f64::consts::PI * radius * radius;
+    let waves = wavelengths(advice, scene);
+    let middle = waves[waves.len() / 2];
+    let omega = scene.droplets.single_scattering_albedo;
+    let omega =
+        omega.map_or(String::new(), |omega| format!("single_scattering_albedo = {:?}\n", omega.get()));
+    format!(
+        "{}schema = \"stratiform/config/1\"\ntitle = {:?}\n\n[optics]\nwavelengths_um = {waves:?}\nrefractive_index = \
+         \"hale-querry-1973\"\ntheta_f_deg = {:?}\nnumber_density_per_cm3 = {number:?}\n\n[optics.droplets]\ndistribution = \
+         \"modified-gamma\"\neffective_radius_um = {radius:?}\ngamma = {:?}\n\n[transport]\nwavelength_um = {middle:?}\n\
+         extinction_convention = \"paper\"\n{omega}totals_medium = \"full\"\norders_medium = \"modified\"\nsource = \"solve\"\n\n\
+         [fit]\ntheta_l_deg = {:?}\nthickness_m = {{ min = {:?}, max = {:?}, count = 20 }}\n\n[codegen]\naccepted = \"accepted\"\n\
+         output = \"generated\"\n\n[check]\ntolerance = 1e-4\nfalse_alarm_rate = 1e-5\n\n{CHECK}",
+        comment(advice),
+        advice.title,
+        scene.droplets.theta_f_deg,
+        scene.droplets.gamma(),
+        advice.theta_l_nodes_deg,
+        tau.min / kappa,
+        tau.max / kappa,
+    )
+}
+
+/// What the config cannot say.
+fn comment(advice: &Advice) -> String {
+    let head = "# Made by `stratiform advise`. First `stratiform reproduce` this file, then copy `accepted` beside it.\n";
+    let texels =
+        advice.phase_texels.map_or(String::new(), |count| format!("# Phase table: {count} texels.\n"));
+    let radii = &advice.effective_radius_nodes_um;
+    let others =
+        if radii.len() > 1 { format!("# One config for each r_e of {radii:?} um.\n") } else { String::new() };
+    format!("{head}# Method: {}.\n{texels}{others}", advice.method)
+}
+
+/// All, or the middle one.
+fn wavelengths(advice: &Advice, scene: &Scene) -> Vec<f64> {
+    let mut sorted = scene.wavelengths_um.clone();
+    sorted.sort_by(f64::total_cmp);
+    match advice.channels {
+        Channels::Grey => vec![sorted[sorted.len() / 2]],
+        Channels::Rgb => sorted,
+    }
+}
