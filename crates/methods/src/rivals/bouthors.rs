@@ -145,9 +145,10 @@ fn domain(table: Table) -> Domain {
     }
 }
 
-/// Fluxes with the refitted table, where it was fitted; the published one is off by 0.1 at low sun, and the printed forms more.
+/// Fluxes with the refitted table, where it was fitted, but for the lowest sun; the published one is off by 0.1 at low sun, and the printed forms more.
 fn promise(table: Table, reading: Reading) -> Option<Promise> {
-    let fitted = Domain { tau: Range::closed(0.047, 46.0), ..domain(table) };
+    let fitted =
+        Domain { tau: Range::closed(0.047, 46.0), mu_l: Range::closed(0.1737, 1.0), ..domain(table) };
     (table == Table::Refitted && reading != Reading::Printed).then(|| Promise::absolute(0.05, fitted))
 }
 
