@@ -20,20 +20,23 @@ pub struct Name {
     y: f64,
     width: f64,
     text: String,
+    /// Whether its right end is what is placed.
+    ends: bool,
     /// The point, if a line leads there.
     led_to: Option<(f64, f64)>,
 }
 
 impl Name {
     pub fn draw(&self) -> Markup {
-        let (x, y) = (format!("{:.2}", self.x), format!("{:.2}", self.y));
+        let (at, anchor) = if self.ends { (self.x + self.width, "end") } else { (self.x, "start") };
+        let (x, y) = (format!("{at:.2}"), format!("{:.2}", self.y));
         html! {
             @if let Some((to_x, to_y)) = self.led_to {
                 @let from_x = if to_x < self.x { self.x - 1.0 } else { self.x + self.width + 1.0 };
                 @let from_y = self.y - 0.5 * ASCENT;
                 path d=(format!("M{from_x:.2} {from_y:.2}L{to_x:.2} {to_y:.2}")) stroke="#999" stroke-width="0.7" {}
             }
-            text x=(x) y=(y) font-size=(SMALL) fill="#222" text-anchor="start" { (label::svg(&self.text, SMALL)) }
+            text x=(x) y=(y) font-size=(SMALL) fill="#222" text-anchor=(anchor) { (label::svg(&self.text, SMALL)) }
         }
     }
 
@@ -62,7 +65,7 @@ fn places((x, y): (f64, f64), text: &str) -> Vec<Name> {
         let (outwards, led_to) = (if line == 0 { 0.0 } else { 2.0 * GAP }, (line > 0).then_some((x, y)));
         let [above, below] = [y - GAP - away, y + GAP + ASCENT + away];
         let [right, left] = [right + outwards, left - outwards];
-        let name = |(x, y)| Name { x, y, width, text: text.to_owned(), led_to };
+        let name = |(at, y)| Name { x: at, y, width, text: text.to_owned(), ends: at < x, led_to };
         places.extend([(right, above), (right, below), (left, below), (left, above)].map(name));
     }
     places
