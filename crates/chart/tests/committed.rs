@@ -34,5 +34,5 @@ fn it_names_only_what_exists() {
 /// A planted name is found.
 #[test]
 fn a_method_that_nobody_knows_is_none() {
-    assert!(by_name("bouthors-forgotten").is_err() && by_name("better:3").is_err());
+    assert!(by_name("bouthors-forgotten").is_err() && by_name("fitted:3").is_err());
 }

@@ -7,7 +7,7 @@ use crate::rivals::bouthors::{self, Reading, Table};
 use crate::rivals::monte_carlo::{self, Geometry};
 use crate::rivals::two_stream::{self, Closure};
 use crate::rivals::{
-    asymptotic, beer_powder, better, multiple_forward, octaves, single_scattering, solver, successive,
+    asymptotic, beer_powder, fitted, multiple_forward, octaves, single_scattering, solver, successive,
 };
 use crate::{Method, MethodError};
 use stratiform_model::angular::Emission;
@@ -129,7 +129,8 @@ fn entries() -> Vec<Entry> {
             Table::Family,
             Reading::NearestShapes,
         ),
-        plain("better", better::method),
+        plain("fitted", || fitted::method("fitted", "Fitted radiance", false)),
+        plain("fitted-halo", || fitted::method("fitted-halo", "Fitted radiance, with the halo", true)),
         turned("orders", orders, 2.0, |count| successive::method(count as u32)),
         turned("solver", streams, 16.0, |count| solver::method(count as usize)),
     ];

@@ -143,7 +143,7 @@ fn droplet_sizes_outside_the_range_are_refused() {
         let one = cloud(1.0);
         Cloud::new((**one.phase()).clone(), one.omega(), one.theta_f_deg(), r_eff_um).unwrap()
     };
-    for name in ["better", "bouthors-family"] {
+    for name in ["fitted", "fitted-halo", "bouthors-family"] {
         let prepared = |radius| by_name(name).unwrap().prepare(&of(radius));
         assert!(prepared(Some(4.0)).is_ok() && prepared(Some(20.0)).is_ok(), "{name}");
         for radius in [3.99, 20.01] {

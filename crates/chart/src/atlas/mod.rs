@@ -19,7 +19,7 @@
 //! | `asymptotic` | μ < 0.3 | R_∞ above all light | refused |
 //! | `delta-eddington`, `diffusion` | ω < 0.8 | γ2 < 0 | refused |
 //! | any with θ_f | θ_f = 0 | no modified medium | refused by `Cloud` |
-//! | `better`, `bouthors-*` | ω < 1, other r_e | not what they were fitted to | refused |
+//! | `fitted*`, `bouthors-*` | ω < 1, other r_e | not what they were fitted to | refused |
 //! | `single-hg-draine` | r_e outside 2.5…25 µm | not what the blend was fitted to | refused |
 //! | single scattering, octaves, two-stream radiances | thick slabs, peak | errors up to many times the truth | no promise |
 
