@@ -5,12 +5,34 @@
 //! while they answer.
 
 use crate::cost::{Effort, alone, flux_ns, radiance_ns};
-use crate::{ChartError, CloudSample, Quantity, Sample, Statistics};
+use crate::parallel::side_by_side;
+use crate::{ChartError, CloudSample, Quantity, Sample, Statistics, Watch};
 use stratiform_methods::{Card, FluxPair, FluxPoint, Method, MethodError, Point, Ready};
 use stratiform_stats::Estimate;
 
 /// Of the views, solvers and tracers are asked for one in so many.
 const EVERY: usize = 3;
+
+/// [`assess`] of every method, in their order: shader code one after the other, whose times are short, then solvers and tracers side by
+/// side, a thread each.
+///
+/// # Errors
+/// As [`assess`], and [`ChartError::Cancelled`].
+pub(crate) fn assess_all(
+    methods: &[&dyn Method],
+    sample: &Sample,
+    effort: Effort,
+    watch: Watch<'_>,
+) -> Result<Vec<Vec<Assessment>>, ChartError> {
+    let one =
+        |place: &usize| watch.over(|| assess(methods[*place], sample, effort)).map(|found| (*place, found));
+    let (shaders, others): (Vec<usize>, Vec<usize>) =
+        (0..methods.len()).partition(|place| methods[*place].card().table_bytes.is_some());
+    let mut found = shaders.iter().map(one).collect::<Result<Vec<_>, _>>()?;
+    found.extend(side_by_side(&others, one).into_iter().collect::<Result<Vec<_>, _>>()?);
+    found.sort_by_key(|(place, _)| *place);
+    Ok(found.into_iter().map(|(_, found)| found).collect())
+}
 
 /// How a method fared.
 #[derive(Clone, Debug, PartialEq)]

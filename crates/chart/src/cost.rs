@@ -3,7 +3,7 @@
 //! Shader code ([`Single`]) is run in f32 over a list of inputs, again and again for [`Effort::repeat`]; the fastest of
 //! [`Effort::repeats`] such runs, after one to warm up, divided by the evaluations: other programs only ever add time, and on a
 //! busy machine to most runs. Solvers and tracers are timed once over a batch
-//! of points: what they cost amortised. Times differ between machines and runs.
+//! of points, on one thread, with others like them on the other cores: what they cost amortised. Times differ between machines and runs.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};

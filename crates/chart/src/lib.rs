@@ -15,6 +15,7 @@ pub mod errors;
 pub mod front;
 pub mod grid;
 mod knobs;
+mod parallel;
 mod quantity;
 mod rows;
 mod sample;

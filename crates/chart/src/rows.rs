@@ -1,9 +1,10 @@
 //! The chart as rows for files.
 
+use crate::assess::assess_all;
 use crate::cost::Effort;
 use crate::front::front;
 use crate::truth::SHARE;
-use crate::{Assessment, ChartError, CloudSample, Sample, Watch, assess};
+use crate::{Assessment, ChartError, CloudSample, Sample, Watch};
 use stratiform_artifact::{
     ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, Provenance, hash_of,
 };
@@ -20,8 +21,8 @@ pub fn chart(
     watch: Watch<'_>,
 ) -> Result<Vec<ChartRow>, ChartError> {
     let mut rows = Vec::new();
-    for method in methods {
-        let found = watch.over(|| assess(method.as_ref(), sample, effort))?;
+    let boxed: Vec<&dyn Method> = methods.iter().map(AsRef::as_ref).collect();
+    for (method, found) in methods.iter().zip(assess_all(&boxed, sample, effort, watch)?) {
         rows.extend(found.into_iter().map(|one| row(&sample.name, method.card(), one)));
     }
     mark(&mut rows);

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(Clone, Copy)]
 pub struct Watch<'a> {
     /// Is called after each cloud solved and each method assessed.
-    pub progress: &'a dyn Fn(),
+    pub progress: &'a (dyn Fn() + Sync),
     /// Set to true to stop.
     pub cancel: &'a AtomicBool,
 }

@@ -13,7 +13,7 @@
 //! | 4.1.3 path tracing | `monte-carlo`, `monte-carlo-modified` | f r |
 //! | | `half-space`, `half-space-modified` | f |
 //! | 4.1.4 path integration | none: the equations of Premože et al. 2004 are not at hand to be checked | |
-//! | 4.1.6 mixed | `bouthors-printed`, `-published`, `-corrected`, `-corrected-isotropic`, `-corrected-escape`, `-corrected-halo` | shader f r |
+//! | 4.1.6 mixed | `bouthors-printed`, `-published`, `-corrected`, `-corrected-isotropic`, `-corrected-escape`, `-corrected-halo`, `-family` | shader f r |
 //! | | `better` | shader r |
 //! | 4.1.7 heuristics | `octaves`, `beer-powder` | shader r |
 //! | not in the survey | `solver` | f r |

@@ -71,7 +71,7 @@ fn texels() -> Knob {
 }
 
 fn photons() -> Knob {
-    knob("photons", Range::closed(2.0, 1e12), &[1e2, 1e3, 1e4, 1e5])
+    knob("photons", Range::closed(2.0, 1e12), &[1e2, 1e3, 1e4])
 }
 
 fn entries() -> Vec<Entry> {
@@ -123,6 +123,12 @@ fn entries() -> Vec<Entry> {
             Emission::Escape,
         ),
         read("bouthors-corrected-halo", "The same, with the halo", Table::Refitted, Reading::WithHalo),
+        read(
+            "bouthors-family",
+            "Bouthors 2006, corrected, for every droplet size",
+            Table::Family,
+            Reading::NearestShapes,
+        ),
         plain("better", better::method),
         turned("orders", orders, 2.0, |count| successive::method(count as u32)),
         turned("solver", streams, 16.0, |count| solver::method(count as usize)),

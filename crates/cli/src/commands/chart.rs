@@ -18,10 +18,11 @@ type Methods = Vec<Box<dyn Method>>;
 const KNOB_SCENE: &str = "stratocumulus-above";
 
 /// Methods whose knobs are turned where none is asked for: one of each kind.
-const TURNED: [&str; 8] = [
+const TURNED: [&str; 9] = [
     "single-mie",
     "octaves",
     "bouthors-corrected",
+    "bouthors-family",
     "better",
     "orders",
     "solver",

@@ -1,7 +1,7 @@
 //! Single scattering exactly, everything beyond it as one fitted exponential.
 //!
-//! `stratiform_model::radiance`: I = I1 + D exp(Σ c_k(u) B_k), coefficients of the paper's cloud as accepted. I1 with P_S of the cloud. No
-//! fluxes. Domain: r_e = 7 µm and ω = 1, the cloud of the coefficients; every thickness and direction, of which τ from 0.1 to 300 and
+//! `stratiform_model::radiance`: I = I1 + D exp(Σ c_k(u) B_k), coefficients as accepted, g, P_f and P_S of the cloud. No fluxes.
+//! Domain: ω = 1 and r_e from 4 to 20 µm, the clouds of the fit; every thickness and direction, of which τ from 0.1 to 300 and
 //! θ up to 85° were fitted. Light that met forward events only is left out. Hufnagel & Held's class: mixed (4.1.6).
 
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};

@@ -10,13 +10,18 @@
 //! | `bouthors-corrected` | refitted | corrected | Lambertian |
 //! | `bouthors-corrected-isotropic`, `-escape` | refitted | corrected | 1/(2μ_v), K(μ_v) |
 //! | `bouthors-corrected-halo` | refitted | corrected, with I0 (section 4.2) | Lambertian |
+//! | `bouthors-family` | refitted for r_e from 4 to 20 µm | corrected | above Lambertian, below K(μ_v) |
 //!
 //! I0, light that met forward events only, is left out of the others: below it is missing near the sun. P, P_S and P_S² are the cloud's.
 //!
-//! Domain: r_e = 7 µm and ω = 1, the cloud of both tables; τ from 0.047 (the fit's 1 m), with appendix B from 1: thinner slabs get a
-//! negative R_3+ from it, and a negative radiance; θ_l up to 80°, refitted up to the horizon. Both were fitted up to τ = 46 and are
+//! Domain: ω = 1 and the table's r_e, 7 µm but for the family; τ from 0.047 (the fit's 1 m), with appendix B from 1: thinner slabs get
+//! a negative R_3+ from it, and a negative radiance; θ_l up to 80°, refitted up to the horizon. All were fitted up to τ = 46 and are
 //! extrapolated beyond, where T_ms falls like 1/τ as it must.
 //! Hufnagel & Held's class: mixed (4.1.6).
+
+mod tables;
+
+pub(crate) use tables::Table;
 
 use crate::halo::HaloTexels;
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
@@ -24,23 +29,16 @@ use crate::scalar::Scalar;
 use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
 use crate::{Card, Class, Cloud, Domain, MethodError, Promise, Promises};
-use stratiform_artifact::{ParameterRow, ParametersDocument, PublishedRow};
 use stratiform_model::angular::halo::{Halo, Peak};
 use stratiform_model::angular::{Angular, Emission, PhaseLookup, Sight, as_printed};
-use stratiform_model::table::{Angle, ParameterGrid};
-use stratiform_model::{Fluxes, Form, Thickness, Values};
+use stratiform_model::table::ParameterGrid;
+use stratiform_model::{Fluxes, Form, Thickness};
 use stratiform_optics::phase::versine;
-use stratiform_quantities::Range;
+use stratiform_quantities::{Range, Side};
+use tables::{KAPPA_PER_M, damaged};
 
-const APPENDIX_B: &str = include_str!("../../../../reference-data/bouthors-2006/appendix-b.csv");
-const REFITTED: &str = include_str!("../../../../fit-configs/appendix-b/accepted/parameters.json");
-
-/// β of appendix B.
-const BETA: f64 = 0.9961;
 /// P_f as the paper states it (section 3.3).
 const STATED_FORWARD_FRACTION: f64 = 0.51;
-/// N0 π r_e² of the paper's cloud, 1/m.
-const KAPPA_PER_M: f64 = 300e6 * std::f64::consts::PI * 49e-12;
 
 /// b, 1/c, 1/κ_c, t, 1/r and μ_l of ten angles.
 const PARAMETER_BYTES: usize = 10 * 6 * 4;
@@ -50,15 +48,21 @@ const PARAMETER_BYTES: usize = 10 * 6 * 4;
 pub(crate) enum Reading {
     Printed,
     Corrected(Emission),
+    /// The shape of I3+ that is nearest on each side: Lambertian above, the escape function below.
+    NearestShapes,
     /// I0 too, I3+ Lambertian.
     WithHalo,
 }
 
-/// Which parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Table {
-    Published,
-    Refitted,
+impl Reading {
+    /// The shape of I3+ on `side`.
+    fn emission(self, side: Side) -> Emission {
+        match (self, side) {
+            (Self::Corrected(emission), _) => emission,
+            (Self::NearestShapes, Side::Bottom) => Emission::Escape,
+            _ => Emission::Lambertian,
+        }
+    }
 }
 
 struct Bouthors<F, P> {
@@ -88,8 +92,7 @@ impl<F: Scalar, P: PhaseLookup<F> + Send + Sync> Shade<F> for Bouthors<F, P> {
         let slab = Angular::unchecked(self.kappa_s * tau, *sight);
         let orders = self.model(tau, sight.mu_l).map(|fluxes| match self.reading {
             Reading::Printed => as_printed::orders(&slab, self.kappa_s_per_m, &self.phase, &fluxes),
-            Reading::Corrected(emission) => slab.orders(&self.phase, &fluxes, emission),
-            Reading::WithHalo => slab.orders(&self.phase, &fluxes, Emission::Lambertian),
+            reading => slab.orders(&self.phase, &fluxes, reading.emission(sight.side)),
         });
         let halo = self
             .halo
@@ -103,35 +106,6 @@ impl<F: Scalar, P: PhaseLookup<F> + Send + Sync> Shade<F> for Bouthors<F, P> {
     }
 }
 
-fn damaged(error: &dyn std::fmt::Display) -> MethodError {
-    MethodError::Failed { method: "bouthors".to_owned(), reason: format!("built-in table: {error}") }
-}
-
-/// Appendix B with κ_S per metre.
-fn published(kappa_s_per_m: f64) -> Result<Vec<Angle>, MethodError> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(APPENDIX_B.as_bytes());
-    let angle = |row: Result<PublishedRow, csv::Error>| {
-        let PublishedRow { theta_l_deg, b, c_per_m, kappa_c_per_m, t, r } = row.map_err(|e| damaged(&e))?;
-        let (c, kappa_c) = (c_per_m, kappa_c_per_m);
-        let values = Values { beta: BETA, b, c, kappa_c, t, r, kappa_s: kappa_s_per_m };
-        Ok(Angle { theta_l_deg, values })
-    };
-    reader.deserialize().map(angle).collect()
-}
-
-/// The accepted fit, per τ.
-fn refitted() -> Result<Vec<Angle>, MethodError> {
-    let document: ParametersDocument = serde_json::from_str(REFITTED).map_err(|e| damaged(&e))?;
-    let table = &document.optical;
-    let angle = |row: &ParameterRow| {
-        let (b, c, kappa_c) = (row.b.emitted, row.c.emitted, row.kappa_c.emitted);
-        let (t, r, beta, kappa_s) = (row.t.emitted, row.r.emitted, table.beta.value, table.kappa_s);
-        let values = Values { beta, b, c, kappa_c, t, r, kappa_s };
-        row.theta_l_deg.degrees().map(|theta_l_deg| Angle { theta_l_deg, values })
-    };
-    Ok(table.rows.iter().filter_map(angle).collect())
-}
-
 fn prepare<F: Scalar, P>(
     table: Table,
     reading: Reading,
@@ -140,13 +114,10 @@ fn prepare<F: Scalar, P>(
 ) -> Result<Bouthors<F, P>, MethodError> {
     let kept = match reading {
         Reading::Printed => 1.0 - STATED_FORWARD_FRACTION,
-        Reading::Corrected(_) | Reading::WithHalo => 1.0 - cloud.omega().get() * cloud.forward_fraction(),
+        _ => 1.0 - cloud.omega().get() * cloud.forward_fraction(),
     };
     let kappa_s_per_m = kept * KAPPA_PER_M;
-    let (angles, unit) = match table {
-        Table::Published => (published(kappa_s_per_m)?, 1.0 / KAPPA_PER_M),
-        Table::Refitted => (refitted()?, 1.0),
-    };
+    let (angles, unit) = table.angles(cloud, kept)?;
     let grid = ParameterGrid::new(&angles).map_err(|e| damaged(&e))?;
     let (unit, kappa_s, kappa_s_per_m) = (F::of(unit), F::of(kept), F::of(kappa_s_per_m));
     let halo = if reading == Reading::WithHalo { Some(halo(cloud)?) } else { None };
@@ -163,13 +134,13 @@ fn halo<F: Scalar>(cloud: &Cloud) -> Result<(Peak<F>, HaloTexels<F>), MethodErro
 fn domain(table: Table) -> Domain {
     let (tau, mu_l) = match table {
         Table::Published => (1.0, 0.1737),
-        Table::Refitted => (0.047, 1e-4),
+        Table::Refitted | Table::Family => (0.047, 1e-4),
     };
     Domain {
         tau: Range::closed(tau, 1e4),
         mu_l: Range::closed(mu_l, 1.0),
         omega: Range::closed(1.0, 1.0),
-        r_eff_um: Range::closed(7.0, 7.0),
+        r_eff_um: table.radius_um(),
         ..Domain::EVERYWHERE
     }
 }
@@ -220,14 +191,8 @@ pub(crate) fn method(
 
 #[cfg(test)]
 mod tests {
+    use super::tables::{published, refitted};
     use super::*;
-    use stratiform_quantities::Side;
-
-    #[test]
-    fn the_built_in_table_is_the_transcribed_one() {
-        assert_eq!(APPENDIX_B, stratiform_reference_data::read("bouthors-2006", "appendix-b.csv").unwrap());
-        assert_eq!((published(0.02).unwrap().len(), refitted().unwrap().len()), (10, 10));
-    }
 
     /// Appendix A by hand at θ_l = 0, H = 100 m, with the row as printed: T_ms = (b + (1-b) e^-cH) β/(H - (H-1) β).
     #[test]
