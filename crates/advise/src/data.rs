@@ -11,6 +11,12 @@ use stratiform_scene::{Effect, Interval, Scene};
 /// v_e of the data's droplets.
 const VARIANCE: f64 = 0.25;
 
+/// v_e of scenes that they may stand for, with a warning.
+const VARIANCES: Interval = Interval { min: 0.03, max: 0.35 };
+
+/// Nearer ones need no warning.
+const VARIANCE_NEAR: f64 = 0.02;
+
 /// Wavelengths whose errors the data stand for.
 const VISIBLE_UM: Interval = Interval { min: 0.44, max: 0.66 };
 
@@ -127,6 +133,8 @@ impl Data {
         inside("optical thickness", tau, thickness)?;
         inside("sun.theta_deg", scene.sun.theta_deg, sun)?;
         inside("view.theta_deg", scene.view.theta_deg, view)?;
+        let variance = scene.droplets.effective_variance;
+        Range::closed(VARIANCES.min, VARIANCES.max).check("droplets.effective_variance", variance)?;
         if let Some(omega) = scene.droplets.single_scattering_albedo {
             Range::closed(0.9999, 1.0).check("droplets.single_scattering_albedo", omega.get())?;
         }
@@ -140,15 +148,32 @@ impl Data {
             .map(|effect| format!("{effect:?} is listed as visible, but no direction in the ranges shows it"))
             .collect();
         let variance = scene.droplets.effective_variance;
-        if (variance - VARIANCE).abs() > 0.05 {
+        if (variance - VARIANCE).abs() > VARIANCE_NEAR {
             notes.push(format!(
-                "the errors are those of droplets of effective variance {VARIANCE}, not {variance}"
+                "WARNING: the errors were found at droplets of effective variance {VARIANCE}; the scene's is {variance}, for which \
+                 they are a guess, above all in bow and glory"
             ));
         }
         if scene.wavelengths_um.iter().any(|wavelength| !VISIBLE_UM.contains(*wavelength)) {
             notes.push("the errors are those at 0.55 um, the colours those of 0.65 and 0.45 um".to_owned());
         }
         notes
+    }
+
+    /// What `size` makes of column `column` of `errors.csv` there; nodes that the method refuses are left out. Sizes are interpolated,
+    /// not signed errors, which would cancel.
+    pub(crate) fn size(
+        &self,
+        nodes: &[(usize, f64)],
+        column: usize,
+        size: impl Fn(f64) -> f64,
+    ) -> Option<f64> {
+        let share = |row: usize| self.tables.errors.rows[row].values[column].map(|e| f64::from(e) / 1000.0);
+        let answers: Vec<_> = nodes.iter().copied().filter(|(row, _)| share(*row).is_some()).collect();
+        match mean(&answers, |row| share(row).map(&size)) {
+            Value::Known(size) => Some(size),
+            _ => None,
+        }
     }
 
     /// Truth and row weights round a place of a block.

@@ -129,7 +129,11 @@ fn entries() -> Vec<Entry> {
             Table::Family,
             Reading::NearestShapes,
         ),
-        plain("better", better::method),
+        Entry {
+            stem: "better",
+            knob: Some(texels()),
+            make: Box::new(|count| Box::new(better::method(count.map(|count| count as usize)))),
+        },
         turned("orders", orders, 2.0, |count| successive::method(count as u32)),
         turned("solver", streams, 16.0, |count| solver::method(count as usize)),
     ];

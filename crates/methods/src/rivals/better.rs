@@ -61,10 +61,12 @@ fn promise() -> Promise {
     Promise::relative(0.25, region([1e-3, 1e4], 0.1736)).outside_aureole(6.0)
 }
 
-/// With the accepted coefficients.
-pub(crate) fn method() -> Simple {
+/// With the accepted coefficients. The phase function is exact in double precision and on [`EMITTED_TEXELS`] in single; with `texels`,
+/// on that many in both.
+pub(crate) fn method(texels: Option<usize>) -> Simple {
+    let count = texels.unwrap_or(EMITTED_TEXELS);
     let card = Card {
-        name: "better".to_owned(),
+        name: texels.map_or("better".to_owned(), |texels| format!("better:{texels}")),
         title: "Single scattering and a fitted rest",
         source: "This project: stratiform_model::radiance, after Nakajima & Tanaka 1988 and van de Hulst 1980",
         class: Class::Mixed,
@@ -73,18 +75,21 @@ pub(crate) fn method() -> Simple {
             r_eff_um: Range::closed(4.0, 20.0),
             ..Domain::EVERYWHERE
         },
-        promises: Promises { radiance: Some(promise()), flux: None },
+        promises: Promises { radiance: texels.is_none().then(promise), flux: None },
         radiance: true,
         flux: false,
-        table_bytes: Some(4 * EMITTED_TEXELS + 2 * 4 * TERMS * POWERS),
+        table_bytes: Some(4 * count + 2 * 4 * TERMS * POWERS),
     };
-    Simple::new(card, |card, cloud| {
-        let coefficients = coefficients(cloud)?;
-        let single = Better {
-            coefficients: coefficients.cast::<f32>(),
-            phase: Texels::<f32>::once(cloud, EMITTED_TEXELS)?,
-        };
-        let double = Better { coefficients, phase: Exact::once(cloud) };
-        Ok(Box::new(Shaded { card: card.clone(), double, single: InSingle(single) }))
+    Simple::new(card, move |card, cloud| {
+        let (card, coefficients) = (card.clone(), coefficients(cloud)?);
+        let phase = Texels::<f32>::once(cloud, count)?;
+        let single = InSingle(Better { coefficients: coefficients.cast::<f32>(), phase });
+        Ok(if texels.is_some() {
+            let phase = Texels::<f64>::once(cloud, count)?;
+            Box::new(Shaded { card, double: Better { coefficients, phase }, single })
+        } else {
+            let double = Better { coefficients, phase: Exact::once(cloud) };
+            Box::new(Shaded { card, double, single })
+        })
     })
 }
