@@ -138,8 +138,9 @@ fn choose<'a>(all: &'a [Candidate], budget: &Budget) -> Option<&'a Candidate> {
         Some(_) => meeting.min_by(|a, b| a.by_cost(b)),
         None => meeting.min_by(|a, b| a.by_error(b)),
     };
-    let within = || all.iter().filter(|one| budget.allows_ns(one.ns)).min_by(|a, b| a.by_error(b));
-    let cheapest = || all.iter().min_by(|a, b| a.by_cost(b));
+    let answering = || all.iter().filter(|one| one.prediction.refused == 0.0);
+    let within = || answering().filter(|one| budget.allows_ns(one.ns)).min_by(|a, b| a.by_error(b));
+    let cheapest = || answering().min_by(|a, b| a.by_cost(b)).or(all.iter().min_by(|a, b| a.by_error(b)));
     best.or_else(within).or_else(cheapest)
 }
 
@@ -152,7 +153,8 @@ fn rejected(data: &Data, all: &[Candidate], chosen: &Candidate, budget: &Budget)
             let reason = "gives no radiance".to_owned();
             return Rejected { method: method.name.clone(), error: None, ns: None, reason };
         };
-        let (error, ns) = (Some(one.prediction.error), Some(one.ns));
+        let error = Some(one.prediction.error).filter(|_| one.prediction.refused < 1.0);
+        let ns = Some(one.ns);
         Rejected { method: method.name.clone(), error, ns, reason: reason(one, chosen, budget) }
     };
     others.map(of).collect()
@@ -271,6 +273,6 @@ pub(crate) mod tests {
         assert_eq!(name(None, Some(20.0)), ("big", true));
         assert_eq!(name(Some(0.001), None), ("best", false));
         assert_eq!(name(Some(0.02), Some(20.0)), ("big", false));
-        assert_eq!(name(None, Some(0.5)), ("refuses", false));
+        assert_eq!(name(None, Some(1.0)), ("rough", false));
     }
 }

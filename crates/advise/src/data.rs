@@ -14,6 +14,10 @@ const VARIANCE: f64 = 0.25;
 /// v_e of scenes that they may stand for, with a warning.
 const VARIANCES: Interval = Interval { min: 0.03, max: 0.35 };
 
+/// The peaks: errors inside them are not those of their neighbourhood.
+const AUREOLE_DEG: f64 = 20.0;
+const GLORY_DEG: f64 = 174.0;
+
 /// Nearer ones need no warning.
 const VARIANCE_NEAR: f64 = 0.02;
 
@@ -176,10 +180,18 @@ impl Data {
         }
     }
 
-    /// Truth and row weights round a place of a block.
+    /// Rows with weights round a place of a block, those without truth left out. In the grid a place near the sun or opposite to it is
+    /// answered by that peak's own lattice, and elsewhere nodes in the peaks do not count: their errors reach nowhere else.
     pub(crate) fn nodes(&self, block: ErrorBlock, ask: &Ask) -> Vec<(usize, f64)> {
         let known = |(row, _): &(usize, f64)| self.tables.errors.rows[*row].truth.is_some();
-        self.errors[&block].around(&coordinates(block, ask)).into_iter().filter(known).collect()
+        let block = answering(block, ask);
+        let mut all = self.errors[&block].around(&coordinates(block, ask));
+        all.retain(known);
+        let outside = |(row, _): &&(usize, f64)| peak(&asked(&self.tables.errors.rows[*row])).is_none();
+        if block == ErrorBlock::Grid && all.iter().any(|node| outside(&node)) {
+            all.retain(|node| outside(&node));
+        }
+        all
     }
 
     /// Column `column` of `errors.csv` there, a share.
@@ -194,6 +206,7 @@ impl Data {
 
     /// Red and blue over green, less 1; `None` where the data do not say.
     pub(crate) fn hues(&self, block: ErrorBlock, ask: &Ask) -> Option<[f64; 2]> {
+        let block = answering(block, ask);
         let nodes = self.colour.get(&block)?.around(&coordinates(block, ask));
         let hue = |column: usize| {
             let rows = &self.tables.colour.rows;
@@ -206,6 +219,20 @@ impl Data {
         };
         Some([hue(0)?, hue(1)?])
     }
+}
+
+/// The peak in which a place lies.
+fn peak(ask: &Ask) -> Option<ErrorBlock> {
+    match ask.side {
+        Side::Bottom if ask.scattering_deg < AUREOLE_DEG => Some(ErrorBlock::SilverLining),
+        Side::Top if ask.scattering_deg > GLORY_DEG => Some(ErrorBlock::Glory),
+        _ => None,
+    }
+}
+
+/// The lattice that answers a place.
+fn answering(block: ErrorBlock, ask: &Ask) -> ErrorBlock {
+    if block == ErrorBlock::Grid { peak(ask).unwrap_or(block) } else { block }
 }
 
 fn mean(nodes: &[(usize, f64)], of: impl Fn(usize) -> Option<f64>) -> Value {

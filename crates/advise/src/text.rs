@@ -1,5 +1,6 @@
 //! The answer in words.
 
+use crate::emitted::stem;
 use crate::predict::{FLOOR, MARGIN};
 use crate::{Advice, Channels};
 use std::fmt::{self, Display, Formatter};
@@ -70,6 +71,9 @@ impl Advice {
     fn write_error(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let promise = &self.prediction;
         let decided = promise.decided_by.map_or(String::new(), |one| format!(", {} decides", effect(one)));
+        if promise.refused >= 1.0 {
+            return writeln!(f, "  error         none promised: it refuses the scene");
+        }
         writeln!(f, "  error         at most {} at 95 % of the scene{decided}", percent(promise.error))?;
         writeln!(
             f,
@@ -125,13 +129,28 @@ impl Advice {
     }
 
     fn write_rejected(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let width = self.rejected.iter().map(|one| one.method.len()).max().unwrap_or(0).max(8);
+        let lines = self.rejected_lines();
+        let width = lines.iter().map(|(names, _)| names.len()).max().unwrap_or(0).max(8);
         writeln!(f, "\n{:width$}  {:>8}  {:>9}  why not", "rejected", "error", "cost")?;
-        self.rejected.iter().try_for_each(|one| {
+        lines.iter().try_for_each(|(names, rest)| writeln!(f, "{names:width$}  {rest}"))
+    }
+
+    /// Names and what is said of them; settings of one knob of which the same is said share a line.
+    fn rejected_lines(&self) -> Vec<(String, String)> {
+        let mut lines: Vec<(String, String)> = Vec::new();
+        for one in &self.rejected {
             let error = one.error.map_or("-".to_owned(), percent);
             let cost = one.ns.map_or("-".to_owned(), time);
-            writeln!(f, "{:width$}  {error:>8}  {cost:>9}  {}", one.method, one.reason)
-        })
+            let said = format!("{error:>8}  {cost:>9}  {}", one.reason);
+            let knob = &one.method[stem(&one.method).len()..];
+            match lines.last_mut() {
+                Some((names, before)) if *before == said && stem(names) == stem(&one.method) => {
+                    names.push_str(&format!(", {knob}"));
+                }
+                _ => lines.push((one.method.clone(), said)),
+            }
+        }
+        lines
     }
 }
 
