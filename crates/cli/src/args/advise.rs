@@ -16,7 +16,7 @@ pub struct AdviseArgs {
     #[arg(value_name = "SCENE")]
     pub scene: String,
     /// Largest error of radiances at 95 % of the scene: `2%` or 0.02.
-    #[arg(long, value_name = "SHARE")]
+    #[arg(long, value_name = "SHARE", allow_hyphen_values = true)]
     pub max_error: Option<String>,
     /// Largest cost of a pixel in nanoseconds (f32, one thread).
     #[arg(long, value_parser = finite, value_name = "NS")]
