@@ -64,9 +64,15 @@ fn comment(advice: &Advice, stem: &str) -> String {
     let radii = &advice.phase_radii_um;
     let others =
         if radii.len() > 1 { format!("# One config for each r_e of {radii:?} um.\n") } else { String::new() };
+    let shared = match &advice.emitted {
+        Some(emitted) if emitted.library == "stratiform_shade" => {
+            "# radiance_parameters.json of fit-configs/appendix-b/accepted serves every cloud: copy it there too.\n"
+        }
+        _ => "",
+    };
     format!(
         "# Made by `stratiform advise`: {}. {call}\n{texels}{others}# First `stratiform reproduce` this file, then copy what it \
-         accepts to {stem}-accepted.\n",
+         accepts to {stem}-accepted.\n{shared}",
         advice.method
     )
 }
