@@ -1,6 +1,6 @@
 //! The answer.
 
-use crate::{Budget, Prediction};
+use crate::{Budget, Emitted, Prediction};
 use serde::{Deserialize, Serialize};
 
 /// What there is to evaluate for a pixel.
@@ -34,15 +34,19 @@ pub struct Advice {
     pub prediction: Prediction,
     /// Nanoseconds for a pixel in f32 on one thread: one evaluation for each channel, and those of the ground's light.
     pub ns: f64,
-    /// Tables of all channels and droplet sizes.
-    pub table_bytes: u64,
+    /// Tables of all channels and droplet sizes; absent where the method is no shader code.
+    pub table_bytes: Option<u64>,
     /// Texels of the phase table; absent where the method has none.
     pub phase_texels: Option<u64>,
     /// Orders of scattering that count: 1, 2, or more than 2 (absent).
     pub orders: Option<u32>,
-    /// r_e of the tables between which to interpolate.
-    pub effective_radius_nodes_um: Vec<f64>,
-    /// Suns of the rows of fitted parameters.
+    /// Emitted code to call; absent for methods that are not emitted.
+    pub emitted: Option<Emitted>,
+    /// r_e of the phase tables between which to interpolate.
+    pub phase_radii_um: Vec<f64>,
+    /// r_e of the tables of fitted parameters; empty where one set serves all, or there is none.
+    pub parameter_radii_um: Vec<f64>,
+    /// Suns of their rows.
     pub theta_l_nodes_deg: Vec<f64>,
     /// Light between cloud and ground, where it is seen.
     pub bounce: Option<Bounce>,

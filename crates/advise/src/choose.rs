@@ -1,11 +1,11 @@
 //! The choice.
 
 use crate::cover::{Population, fluxes, populations};
-use crate::extent;
 use crate::predict::{Points, predict};
 use crate::{Advice, AdviseError, Bounce, Budget, Channels, Data, Prediction, Rejected};
+use crate::{emitted, extent};
 use std::cmp::Ordering;
-use stratiform_artifact::{ErrorData, ErrorMethod};
+use stratiform_artifact::ErrorMethod;
 use stratiform_scene::{Effect, Interval, Scene};
 
 /// ρ where the scene's ground is seen and nobody says: grass and soil.
@@ -61,14 +61,14 @@ pub fn candidates(data: &Data, scene: &Scene, tau: Interval) -> Result<Vec<Candi
 
 /// Each method twice: one value for all channels, and one each; once where there is one wavelength.
 fn weigh(data: &Data, points: &Points, wavelengths: usize) -> Vec<Candidate> {
-    let listed = data.methods().iter().zip(ErrorData::ORDERS.len()..);
+    let listed = data.methods().iter().zip(0..);
     let mut all = Vec::new();
     for (method, column) in listed {
         let Some(ns) = method.ns else { continue };
         for (channels, count) in [(Channels::Grey, 1), (Channels::Rgb, wavelengths)] {
             if channels == Channels::Grey || wavelengths > 1 {
                 let prediction = predict(data, points, column, channels == Channels::Grey && wavelengths > 1);
-                let table_bytes = count as u64 * method.table_bytes;
+                let table_bytes = count as u64 * method.table_bytes.unwrap_or(0);
                 let method = method.clone();
                 all.push(Candidate { method, channels, prediction, ns: count as f64 * ns, table_bytes });
             }
@@ -77,7 +77,8 @@ fn weigh(data: &Data, points: &Points, wavelengths: usize) -> Vec<Candidate> {
     all
 }
 
-/// What to use for `scene`, whose optical thickness runs over `tau`; `ground_albedo` counts where the ground's light is seen.
+/// What to use for `scene`, whose optical thickness runs over `tau`; `ground_albedo`, or else the scene's own, counts where the ground's
+/// light is seen.
 ///
 /// # Errors
 /// [`AdviseError::Domain`] if the scene is not covered by the data or the albedo is none. A budget that nothing meets is no error:
@@ -100,8 +101,13 @@ pub fn advise(
         .ok_or_else(|| AdviseError::Missing { block: "methods of radiance".to_owned() })?;
     let met = chosen.meets(budget) && bounce.as_ref().is_none_or(|bounce| budget.allows_error(bounce.error));
     let allowed = budget.max_error.unwrap_or(chosen.prediction.error);
-    let effective_radius_nodes_um = extent::radii(data, scene, &populations[0], allowed);
-    let per_radius = effective_radius_nodes_um.len() as u64;
+    let stem = emitted::stem(&chosen.method.name);
+    let looked_up = chosen.method.texels.is_some();
+    let phase_radii_um =
+        if looked_up { extent::radii(data, scene, &populations[0], allowed) } else { Vec::new() };
+    let fitted = emitted::is_refitted(stem);
+    let parameter_radii_um = if fitted { extent::parameter_radii(scene, allowed) } else { Vec::new() };
+    let tables = phase_radii_um.len().max(1) as u64;
     Ok(Advice {
         schema: "stratiform/advice/1".to_owned(),
         title: scene.title.clone(),
@@ -112,11 +118,13 @@ pub fn advise(
         channels: chosen.channels,
         prediction: chosen.prediction.clone(),
         ns: chosen.ns,
-        table_bytes: per_radius * chosen.table_bytes,
+        table_bytes: chosen.method.table_bytes.map(|_| tables * chosen.table_bytes),
         phase_texels: chosen.method.texels,
         orders: extent::orders(data, &points, allowed),
-        effective_radius_nodes_um,
-        theta_l_nodes_deg: extent::suns(data, scene, tau, allowed),
+        emitted: emitted::emitted(&chosen.method.name),
+        phase_radii_um,
+        parameter_radii_um,
+        theta_l_nodes_deg: if fitted { extent::suns(data, scene, tau, allowed) } else { Vec::new() },
         bounce,
         notes: data.notes(scene, &unseen),
         rejected: rejected(data, &all, chosen, budget),
@@ -130,8 +138,9 @@ fn choose<'a>(all: &'a [Candidate], budget: &Budget) -> Option<&'a Candidate> {
         Some(_) => meeting.min_by(|a, b| a.by_cost(b)),
         None => meeting.min_by(|a, b| a.by_error(b)),
     };
-    let within = || all.iter().filter(|one| budget.allows_ns(one.ns)).min_by(|a, b| a.by_error(b));
-    let cheapest = || all.iter().min_by(|a, b| a.by_cost(b));
+    let answering = || all.iter().filter(|one| one.prediction.refused == 0.0);
+    let within = || answering().filter(|one| budget.allows_ns(one.ns)).min_by(|a, b| a.by_error(b));
+    let cheapest = || answering().min_by(|a, b| a.by_cost(b)).or(all.iter().min_by(|a, b| a.by_error(b)));
     best.or_else(within).or_else(cheapest)
 }
 
@@ -144,28 +153,34 @@ fn rejected(data: &Data, all: &[Candidate], chosen: &Candidate, budget: &Budget)
             let reason = "gives no radiance".to_owned();
             return Rejected { method: method.name.clone(), error: None, ns: None, reason };
         };
-        let (error, ns) = (Some(one.prediction.error), Some(one.ns));
+        let error = Some(one.prediction.error).filter(|_| one.prediction.refused < 1.0);
+        let ns = Some(one.ns);
         Rejected { method: method.name.clone(), error, ns, reason: reason(one, chosen, budget) }
     };
     others.map(of).collect()
 }
 
 fn reason(one: &Candidate, chosen: &Candidate, budget: &Budget) -> String {
-    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
-    if one.prediction.refused > 0.0 {
-        return format!("refuses {} of the scene", percent(one.prediction.refused));
+    let refused = one.prediction.refused;
+    if refused >= 1.0 {
+        return "refuses the scene".to_owned();
     }
-    if let Some(most) = budget.max_error.filter(|most| one.prediction.error > *most) {
-        return format!("error {} is over {}", percent(one.prediction.error), percent(most));
+    if refused > 0.0 {
+        return format!("refuses {:.0} % of the scene", (100.0 * refused).max(1.0));
     }
-    if let Some(most) = budget.max_ns.filter(|most| one.ns > *most) {
-        return format!("{:.1} ns are over {most}", one.ns);
+    if budget.max_error.is_some_and(|most| one.prediction.error > most) {
+        return "error over the budget".to_owned();
     }
-    match one.ns.total_cmp(&chosen.ns) {
-        _ if budget.max_error.is_none() => format!("error {} is larger", percent(one.prediction.error)),
-        Ordering::Greater => format!("dearer: {:.1} ns", one.ns),
-        _ => format!("larger tables: {} bytes", one.table_bytes),
+    if budget.max_ns.is_some_and(|most| one.ns > most) {
+        return "cost over the budget".to_owned();
     }
+    let why = match one.ns.total_cmp(&chosen.ns) {
+        _ if budget.max_error.is_none() => "larger error",
+        Ordering::Greater => "dearer",
+        _ if one.table_bytes > chosen.table_bytes => "larger tables",
+        _ => "no better at that cost",
+    };
+    why.to_owned()
 }
 
 /// The cheapest method of R and T within the budget, or the most accurate, and how often light goes to and fro.
@@ -176,14 +191,15 @@ fn bounce(
     budget: &Budget,
     ground_albedo: Option<f64>,
 ) -> Result<Option<Bounce>, AdviseError> {
-    let ground_albedo = ground_albedo.unwrap_or(GROUND_ALBEDO);
+    let own = scene.ground.map(|ground| ground.albedo);
+    let ground_albedo = ground_albedo.or(own).unwrap_or(GROUND_ALBEDO);
     stratiform_quantities::Range::closed(0.0, 1.0).check("ground albedo", ground_albedo)?;
     if !scene.visible.contains(&Effect::GroundBounce) {
         return Ok(None);
     }
     let everywhere: Population = fluxes(scene, tau, data.flux_suns().last().copied().unwrap_or(0.0));
     let points = Points::new(data, &[everywhere]);
-    let listed = data.methods().iter().zip(ErrorData::ORDERS.len()..);
+    let listed = data.methods().iter().zip(0..);
     let given: Vec<(&ErrorMethod, f64, f64)> = listed
         .filter_map(|(method, column)| {
             let prediction = predict(data, &points, column, false);
@@ -208,20 +224,31 @@ fn bounce(
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
-    fn candidate(name: &str, error: f64, ns: f64, table_bytes: u64, refused: f64) -> Candidate {
-        let method = ErrorMethod {
+    /// A method that answers everywhere.
+    pub(crate) fn method(name: &str) -> ErrorMethod {
+        ErrorMethod {
             name: name.to_owned(),
             title: name.to_owned(),
             radiance: true,
             flux: false,
-            ns: Some(ns),
+            ns: Some(1.0),
             flux_ns: None,
-            table_bytes,
+            table_bytes: Some(0),
             texels: None,
-        };
+            tau_min: 0.0,
+            tau_max: 1e6,
+            mu_l_min: 0.0,
+            mu_v_min: 0.0,
+            r_e_min_um: None,
+            r_e_max_um: None,
+        }
+    }
+
+    fn candidate(name: &str, error: f64, ns: f64, table_bytes: u64, refused: f64) -> Candidate {
+        let method = ErrorMethod { ns: Some(ns), table_bytes: Some(table_bytes), ..method(name) };
         let prediction = Prediction { error, median: error, worst: error, decided_by: None, refused };
         Candidate { method, channels: Channels::Grey, prediction, ns, table_bytes }
     }
@@ -246,6 +273,6 @@ mod tests {
         assert_eq!(name(None, Some(20.0)), ("big", true));
         assert_eq!(name(Some(0.001), None), ("best", false));
         assert_eq!(name(Some(0.02), Some(20.0)), ("big", false));
-        assert_eq!(name(None, Some(0.5)), ("refuses", false));
+        assert_eq!(name(None, Some(1.0)), ("rough", false));
     }
 }

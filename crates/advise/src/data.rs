@@ -11,6 +11,16 @@ use stratiform_scene::{Effect, Interval, Scene};
 /// v_e of the data's droplets.
 const VARIANCE: f64 = 0.25;
 
+/// v_e of scenes that they may stand for, with a warning.
+const VARIANCES: Interval = Interval { min: 0.03, max: 0.35 };
+
+/// The peaks: errors inside them are not those of their neighbourhood.
+const AUREOLE_DEG: f64 = 20.0;
+const GLORY_DEG: f64 = 174.0;
+
+/// Nearer ones need no warning.
+const VARIANCE_NEAR: f64 = 0.02;
+
 /// Wavelengths whose errors the data stand for.
 const VISIBLE_UM: Interval = Interval { min: 0.44, max: 0.66 };
 
@@ -127,6 +137,8 @@ impl Data {
         inside("optical thickness", tau, thickness)?;
         inside("sun.theta_deg", scene.sun.theta_deg, sun)?;
         inside("view.theta_deg", scene.view.theta_deg, view)?;
+        let variance = scene.droplets.effective_variance;
+        Range::closed(VARIANCES.min, VARIANCES.max).check("droplets.effective_variance", variance)?;
         if let Some(omega) = scene.droplets.single_scattering_albedo {
             Range::closed(0.9999, 1.0).check("droplets.single_scattering_albedo", omega.get())?;
         }
@@ -140,9 +152,10 @@ impl Data {
             .map(|effect| format!("{effect:?} is listed as visible, but no direction in the ranges shows it"))
             .collect();
         let variance = scene.droplets.effective_variance;
-        if (variance - VARIANCE).abs() > 0.05 {
+        if (variance - VARIANCE).abs() > VARIANCE_NEAR {
             notes.push(format!(
-                "the errors are those of droplets of effective variance {VARIANCE}, not {variance}"
+                "WARNING: the errors were found at droplets of effective variance {VARIANCE}; the scene's is {variance}, for which \
+                 they are a guess, above all in bow and glory"
             ));
         }
         if scene.wavelengths_um.iter().any(|wavelength| !VISIBLE_UM.contains(*wavelength)) {
@@ -151,10 +164,34 @@ impl Data {
         notes
     }
 
-    /// Truth and row weights round a place of a block.
+    /// What `size` makes of column `column` of `errors.csv` there; nodes that the method refuses are left out. Sizes are interpolated,
+    /// not signed errors, which would cancel.
+    pub(crate) fn size(
+        &self,
+        nodes: &[(usize, f64)],
+        column: usize,
+        size: impl Fn(f64) -> f64,
+    ) -> Option<f64> {
+        let share = |row: usize| self.tables.errors.rows[row].values[column].map(|e| f64::from(e) / 1000.0);
+        let answers: Vec<_> = nodes.iter().copied().filter(|(row, _)| share(*row).is_some()).collect();
+        match mean(&answers, |row| share(row).map(&size)) {
+            Value::Known(size) => Some(size),
+            _ => None,
+        }
+    }
+
+    /// Rows with weights round a place of a block, those without truth left out. In the grid a place near the sun or opposite to it is
+    /// answered by that peak's own lattice, and elsewhere nodes in the peaks do not count: their errors reach nowhere else.
     pub(crate) fn nodes(&self, block: ErrorBlock, ask: &Ask) -> Vec<(usize, f64)> {
         let known = |(row, _): &(usize, f64)| self.tables.errors.rows[*row].truth.is_some();
-        self.errors[&block].around(&coordinates(block, ask)).into_iter().filter(known).collect()
+        let block = answering(block, ask);
+        let mut all = self.errors[&block].around(&coordinates(block, ask));
+        all.retain(known);
+        let outside = |(row, _): &&(usize, f64)| peak(&asked(&self.tables.errors.rows[*row])).is_none();
+        if block == ErrorBlock::Grid && all.iter().any(|node| outside(&node)) {
+            all.retain(|node| outside(&node));
+        }
+        all
     }
 
     /// Column `column` of `errors.csv` there, a share.
@@ -169,6 +206,7 @@ impl Data {
 
     /// Red and blue over green, less 1; `None` where the data do not say.
     pub(crate) fn hues(&self, block: ErrorBlock, ask: &Ask) -> Option<[f64; 2]> {
+        let block = answering(block, ask);
         let nodes = self.colour.get(&block)?.around(&coordinates(block, ask));
         let hue = |column: usize| {
             let rows = &self.tables.colour.rows;
@@ -181,6 +219,20 @@ impl Data {
         };
         Some([hue(0)?, hue(1)?])
     }
+}
+
+/// The peak in which a place lies.
+fn peak(ask: &Ask) -> Option<ErrorBlock> {
+    match ask.side {
+        Side::Bottom if ask.scattering_deg < AUREOLE_DEG => Some(ErrorBlock::SilverLining),
+        Side::Top if ask.scattering_deg > GLORY_DEG => Some(ErrorBlock::Glory),
+        _ => None,
+    }
+}
+
+/// The lattice that answers a place.
+fn answering(block: ErrorBlock, ask: &Ask) -> ErrorBlock {
+    if block == ErrorBlock::Grid { peak(ask).unwrap_or(block) } else { block }
 }
 
 fn mean(nodes: &[(usize, f64)], of: impl Fn(usize) -> Option<f64>) -> Value {

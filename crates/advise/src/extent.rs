@@ -29,7 +29,7 @@ pub(crate) fn orders(data: &Data, points: &Points, allowed: f64) -> Option<u32> 
     })
 }
 
-/// r_e between which linear interpolation of the truth in ln r_e stays within `allowed` at 95 % of the points, as far as the data's
+/// r_e of phase tables: those between which linear interpolation of the truth in ln r_e stays within `allowed` at 95 % of the points, as far as the data's
 /// own nodes tell: one in the middle, or ends and equal steps.
 pub(crate) fn radii(data: &Data, scene: &Scene, whole: &Population, allowed: f64) -> Vec<f64> {
     let range = scene.droplets.effective_radius_um;
@@ -45,6 +45,24 @@ pub(crate) fn radii(data: &Data, scene: &Scene, whole: &Population, allowed: f64
         }
     }
     steps(range, checked.len())
+}
+
+/// Ends of the family's range, µm.
+const FAMILY_UM: Interval = Interval { min: 4.0, max: 20.0 };
+
+/// Worst error of R and T between tables of fitted parameters, over 4 to 20 µm in equal steps of 1/r_e: as fitted (fit-configs/family).
+const PARAMETER_TABLES: [(usize, f64); 2] = [(2, 1.4e-3), (6, 1.2e-4)];
+
+/// r_e of the tables of fitted parameters: as few as leave a tenth of `allowed`.
+pub(crate) fn parameter_radii(scene: &Scene, allowed: f64) -> Vec<f64> {
+    let range = scene.droplets.effective_radius_um;
+    if range.min == range.max {
+        return vec![range.min];
+    }
+    let [few, many] = PARAMETER_TABLES;
+    let count = if few.1 <= 0.1 * allowed { few.0 } else { many.0 };
+    let inverse = Interval { min: 1.0 / FAMILY_UM.max, max: 1.0 / FAMILY_UM.min };
+    inverse.linear(count).into_iter().rev().map(|x| (100.0 / x).round() / 100.0).collect()
 }
 
 /// `count` radii in equal ratios, to 0.01 µm between the ends.

@@ -25,10 +25,22 @@ pub struct ErrorMethod {
     pub ns: Option<f64>,
     /// One pair of fluxes likewise.
     pub flux_ns: Option<f64>,
-    /// Tables for one cloud.
-    pub table_bytes: u64,
+    /// Tables for one cloud; empty where it is no shader code.
+    pub table_bytes: Option<u64>,
     /// Texels of its phase table; empty where it has none.
     pub texels: Option<u64>,
+    /// Where it answers, ends included: optical thickness.
+    pub tau_min: f64,
+    /// Likewise.
+    pub tau_max: f64,
+    /// Cosine of the sun.
+    pub mu_l_min: f64,
+    /// Cosine of the view.
+    pub mu_v_min: f64,
+    /// r_e; empty where all are.
+    pub r_e_min_um: Option<f64>,
+    /// Likewise.
+    pub r_e_max_um: Option<f64>,
 }
 
 /// Which points belong together: an axis of each lattice.

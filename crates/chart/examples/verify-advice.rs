@@ -7,40 +7,32 @@ mod trial;
 
 use stratiform_advise::Data;
 use stratiform_stats::{Purpose, key, photon_stream};
-use trial::{Effort, Sampled, Trial, clouds, random_error, random_scene, trial};
+use trial::{Effort, Pool, Trial, clouds, random_error, random_scene, trial};
 
-/// Radii that are tried, none a node of the data.
+/// Radii that are tried, none a node of the data; at the one in the middle in three wavelengths, else in green alone.
 const RADII_UM: [f64; 3] = [5.5, 9.0, 15.0];
 
-const EFFORT: Effort = Effort { suns: 4, thicknesses: 4, views: 6 };
-
-/// One scene in so many has three wavelengths, the others green alone.
-const COLOURED: u64 = 4;
+const EFFORT: Effort = Effort { suns: 6, thicknesses: 10, views: 40, effects: 6 };
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut args = std::env::args().skip(1);
-    let seed: u64 = args.next().map_or(Ok(2027), |text| text.parse())?;
+    let seed: u64 = args.next().map_or(Ok(2029), |text| text.parse())?;
     let scenes: u64 = args.next().map_or(Ok(100), |text| text.parse())?;
     let data = Data::committed()?;
-    let mut coloured = Vec::new();
-    let mut green = Vec::new();
-    for radius in RADII_UM {
-        let waves = clouds(radius)?;
-        green.push(Sampled::new(radius, waves[1..2].to_vec())?);
-        coloured.push(Sampled::new(radius, waves)?);
+    let mut pools = Vec::new();
+    for (place, radius) in RADII_UM.into_iter().enumerate() {
+        let all = clouds(radius)?;
+        let waves = if place == 1 { all } else { all[1..2].to_vec() };
+        pools.push(Pool::new(radius, waves, seed.wrapping_mul(1000) + place as u64, EFFORT)?);
+        eprintln!("r_e {radius:4} um         {} points", pools[place].points.len());
     }
     println!("scene,max_error,met,method,channels,promised,reached,held,cheaper,points");
     let mut trials = Vec::new();
     for index in 0..scenes {
         let choice = photon_stream(key(seed + 1, Purpose::Calibration), index);
-        let which = rand::Rng::next_u32(&mut { choice }) as usize % RADII_UM.len();
-        let mut scene = random_scene(seed, index, RADII_UM[which], true);
+        let pool = &pools[rand::Rng::next_u32(&mut { choice }) as usize % pools.len()];
         let max_error = random_error(seed, index);
-        let pool = if index.is_multiple_of(COLOURED) { &coloured } else { &green };
-        if !index.is_multiple_of(COLOURED) {
-            scene.wavelengths_um = vec![0.55];
-        }
-        let one = trial(&data, &scene, max_error, &pool[which], seed.wrapping_mul(1000) + index, EFFORT)?;
+        let one = trial(&data, &random_scene(seed, index, pool, true), max_error, pool)?;
         println!("{}", row(index, max_error, &one));
         trials.push(one);
     }

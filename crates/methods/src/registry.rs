@@ -60,6 +60,13 @@ fn bouthors(stem: &'static str, title: &'static str, table: Table, emission: Emi
     read(stem, title, table, Reading::Corrected(emission))
 }
 
+fn fitted(stem: &'static str, with_halo: bool) -> Entry {
+    let make = move |count: Option<f64>| -> Box<dyn Method> {
+        Box::new(fitted::method(with_halo, count.map(|count| count as usize)))
+    };
+    Entry { stem, knob: Some(texels()), make: Box::new(make) }
+}
+
 fn knob(counts: &'static str, range: Range, values: &'static [f64]) -> Knob {
     Knob { counts, range, values, usual: None }
 }
@@ -129,8 +136,8 @@ fn entries() -> Vec<Entry> {
             Table::Family,
             Reading::NearestShapes,
         ),
-        plain("fitted", || fitted::method("fitted", "Fitted radiance", false)),
-        plain("fitted-halo", || fitted::method("fitted-halo", "Fitted radiance, with the halo", true)),
+        fitted("fitted", false),
+        fitted("fitted-halo", true),
         turned("orders", orders, 2.0, |count| successive::method(count as u32)),
         turned("solver", streams, 16.0, |count| solver::method(count as usize)),
     ];

@@ -16,4 +16,4 @@ pub use error::SceneError;
 pub use interval::Interval;
 pub use layer::{Droplets, Layer};
 pub use names::{NAMES, find, named};
-pub use scene::{Scene, Sun, View};
+pub use scene::{Ground, Scene, Sun, View};

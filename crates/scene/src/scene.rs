@@ -27,6 +27,17 @@ pub struct Scene {
     pub sun: Sun,
     /// Where light goes.
     pub view: View,
+    /// What lies below the cloud.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ground: Option<Ground>,
+}
+
+/// `[ground]`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Ground {
+    /// Share of the light that it gives back, the same in all directions.
+    pub albedo: f64,
 }
 
 /// `[sun]`.
@@ -89,6 +100,9 @@ impl Scene {
         check_interval("view.azimuth_deg", &self.view.azimuth_deg, Range::closed(0.0, 180.0))?;
         for wavelength in &self.wavelengths_um {
             Range::closed(0.2, 4.0).check("wavelengths_um", *wavelength)?;
+        }
+        if let Some(ground) = &self.ground {
+            Range::closed(0.0, 1.0).check("ground.albedo", ground.albedo)?;
         }
         listed_once("wavelengths_um", &self.wavelengths_um)?;
         listed_once("view.sides", &self.view.sides)?;

@@ -1,16 +1,24 @@
 //! Which methods are listed, and what they cost.
+//!
+//! All shader code, and the [`OFFLINE`] solvers for budgets that no shader code meets: what one radiance costs them in a batch.
 
 use super::ErrorsError;
 use super::rows::{flux_point, point};
-use crate::cost::{Effort, flux_ns, radiance_ns};
+use crate::cost::{Effort, alone, flux_ns, radiance_ns};
 use std::time::Duration;
 use stratiform_artifact::{ErrorBlock, ErrorMethod, ErrorRow};
 use stratiform_methods::{
-    Cloud, EMITTED_TEXELS, FluxPoint, Method, MethodError, Point, Single, all, by_name, knobs,
+    Cloud, EMITTED_TEXELS, FluxPoint, Method, MethodError, Point, Ready, Single, all, by_name, knobs,
 };
 
 /// Sizes of phase tables that are listed.
 const TEXELS: [f64; 3] = [64.0, 256.0, 1024.0];
+
+/// What is no shader code but answers within milliseconds.
+const OFFLINE: [&str; 0] = [];
+
+/// Points of an offline method's batch.
+const BATCH: usize = 500;
 
 /// One run.
 const SHORT: Effort = Effort { repeat: Duration::from_micros(200), repeats: 1 };
@@ -27,17 +35,18 @@ pub struct Listed {
     /// The name without what changes no cost.
     stem: String,
     texels: Option<usize>,
-    table_bytes: usize,
+    /// `None` where it is no shader code.
+    table_bytes: Option<usize>,
 }
 
 impl Listed {
     fn new(method: Box<dyn Method>, stem: &str, texels: Option<usize>) -> Self {
-        let (name, table_bytes) = (method.card().name.clone(), method.card().table_bytes.unwrap_or(0));
+        let (name, table_bytes) = (method.card().name.clone(), method.card().table_bytes);
         Self { name, method, stem: stem.to_owned(), texels, table_bytes }
     }
 }
 
-/// Every method that is shader code, turned through the values of its knob.
+/// Every method that is shader code, turned through the values of its knob, then those that are not.
 ///
 /// # Errors
 /// [`ErrorsError`].
@@ -59,6 +68,9 @@ pub fn listed() -> Result<Vec<Listed>, ErrorsError> {
             list.push(Listed::new(method, &stem, texels));
         }
     }
+    for name in OFFLINE {
+        list.push(Listed::new(by_name(name)?, name, None));
+    }
     Ok(list)
 }
 
@@ -72,7 +84,7 @@ pub(super) fn records(
     rows: &[ErrorRow],
 ) -> Result<Vec<ErrorMethod>, ErrorsError> {
     let (fluxes, seen): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.block == ErrorBlock::Flux);
-    let seen: Vec<Point> = seen.iter().step_by(seen.len() / 500 + 1).map(|row| point(row)).collect();
+    let seen: Vec<Point> = seen.iter().step_by(seen.len() / BATCH + 1).map(|row| point(row)).collect();
     let fluxes: Vec<FluxPoint> = fluxes.iter().map(|row| flux_point(row)).collect();
     let mut records: Vec<ErrorMethod> = Vec::new();
     for one in methods {
@@ -84,7 +96,10 @@ pub(super) fn records(
             Some(first) => [first.ns, first.flux_ns],
             None => {
                 let ready = clouds.iter().find_map(|cloud| one.method.prepare(cloud).ok());
-                costs(ready.as_ref().and_then(|ready| ready.single()), &seen, &fluxes)?
+                match (&ready, one.table_bytes) {
+                    (Some(ready), None) => batch_costs(ready.as_ref(), &seen, &fluxes)?,
+                    (ready, _) => costs(ready.as_ref().and_then(|ready| ready.single()), &seen, &fluxes)?,
+                }
             }
         };
         records.push(ErrorMethod {
@@ -94,11 +109,30 @@ pub(super) fn records(
             flux: card.flux,
             ns: costs[0].filter(|_| card.radiance),
             flux_ns: costs[1].filter(|_| card.flux),
-            table_bytes: one.table_bytes as u64,
+            table_bytes: one.table_bytes.map(|count| count as u64),
             texels: one.texels.map(|count| count as u64),
+            tau_min: card.domain.tau.min,
+            tau_max: card.domain.tau.max,
+            mu_l_min: card.domain.mu_l.min,
+            mu_v_min: card.domain.mu_v.min,
+            r_e_min_um: Some(card.domain.r_eff_um.min).filter(|radius| *radius > 0.0),
+            r_e_max_um: Some(card.domain.r_eff_um.max).filter(|radius| radius.is_finite()),
         });
     }
     Ok(records)
+}
+
+/// A share of a batch on one thread.
+fn batch_costs(
+    ready: &dyn Ready,
+    seen: &[Point],
+    fluxes: &[FluxPoint],
+) -> Result<[Option<f64>; 2], ErrorsError> {
+    let share = |ns: f64, count: usize| Some((ns / count.max(1) as f64).round());
+    let (radiances, ns) = alone(|| ready.radiances(seen).map(|_| ()))?;
+    let (pairs, flux_ns) = alone(|| ready.fluxes(fluxes).map(|_| ()))?;
+    radiances.and(pairs)?;
+    Ok([share(ns, seen.len()), share(flux_ns, fluxes.len())])
 }
 
 /// The quickest of [`RUNS`] short runs, to 0.1 ns: other work on the machine only ever adds.

@@ -5,11 +5,13 @@
 //! of R and T. Methods without [`single`](stratiform_methods::Ready::single), solvers and tracers, are no shader code and not listed.
 
 mod colour;
+mod known;
 mod listed;
 mod nodes;
 mod rows;
 mod truth;
 
+use known::Known;
 pub use listed::{Listed, listed};
 pub use nodes::{Nodes, WAVELENGTHS_UM};
 
@@ -39,21 +41,28 @@ pub enum ErrorsError {
     },
 }
 
-/// The data, for clouds of `nodes.radii_um`, each at [`WAVELENGTHS_UM`]; `step` is told after each cloud.
+/// The data, for clouds of `nodes.radii_um`, each at [`WAVELENGTHS_UM`]; `step` is told after each cloud. Truths that `before` holds
+/// are not solved again.
 ///
 /// # Errors
 /// [`ErrorsError`].
-pub fn make(nodes: &Nodes, clouds: &[[Cloud; 3]], step: &dyn Fn()) -> Result<ErrorData, ErrorsError> {
+pub fn make(
+    nodes: &Nodes,
+    clouds: &[[Cloud; 3]],
+    before: Option<&ErrorData>,
+    step: &dyn Fn(),
+) -> Result<ErrorData, ErrorsError> {
     if clouds.len() != nodes.radii_um.len() {
         return Err(ErrorsError::Clouds { wanted: nodes.radii_um.len(), given: clouds.len() });
     }
     let methods = listed()?;
+    let known = before.map(Known::of).unwrap_or_default();
     let mut rows = Vec::new();
     let mut hues = Vec::new();
     for (place, waves) in clouds.iter().enumerate() {
-        rows.extend(rows::of_cloud(nodes, nodes.radii_um[place], &waves[1], &methods)?);
+        rows.extend(rows::of_cloud(nodes, nodes.radii_um[place], &waves[1], &methods, &known)?);
         if nodes.coloured(place) {
-            hues.extend(colour::of_cloud(nodes, nodes.radii_um[place], waves)?);
+            hues.extend(colour::of_cloud(nodes, nodes.radii_um[place], waves, &known)?);
         }
         step();
     }

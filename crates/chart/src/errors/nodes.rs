@@ -34,7 +34,7 @@ impl Nodes {
     /// What is committed.
     pub fn full() -> Self {
         Self {
-            radii_um: vec![4.0, 7.0, 20.0],
+            radii_um: vec![4.0, 7.0, 12.0, 20.0],
             tau: vec![0.05, 0.25, 1.2, 6.0, 30.0, 160.0],
             theta_l_deg: vec![0.0, 35.0, 60.0, 76.0, 87.0],
             theta_v_deg: vec![0.0, 30.0, 55.0, 74.0, 87.0],
@@ -63,7 +63,7 @@ impl Nodes {
 
     /// Whether red and blue are solved for that cloud: the one in the middle.
     pub(super) fn coloured(&self, place: usize) -> bool {
-        place == self.radii_um.len() / 2
+        place == (self.radii_um.len() - 1) / 2
     }
 
     /// The points of one sun: every view of every lattice of radiances, thickness left open.
@@ -133,8 +133,8 @@ impl Sighted {
         Self { block, theta_l_deg, theta_v_deg, phi_deg, side, scattering_deg }
     }
 
-    /// A row without values.
-    pub(super) fn row(&self, effective_radius_um: f64, tau: f64, truth: Option<f64>) -> ErrorRow {
+    /// A row without truth and values.
+    pub(super) fn row(&self, effective_radius_um: f64, tau: f64) -> ErrorRow {
         ErrorRow {
             block: self.block,
             effective_radius_um,
@@ -144,7 +144,7 @@ impl Sighted {
             phi_deg: self.phi_deg,
             scattering_deg: self.scattering_deg,
             side: self.side,
-            truth,
+            truth: None,
             values: Vec::new(),
         }
     }

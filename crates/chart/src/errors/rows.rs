@@ -1,5 +1,6 @@
 //! Errors of every method at the nodes of one cloud.
 
+use super::known::Known;
 use super::listed::Listed;
 use super::truth::{self, TOLERANCE, Truth};
 use super::{ErrorsError, Nodes};
@@ -17,8 +18,9 @@ pub(super) fn of_cloud(
     radius: f64,
     cloud: &Cloud,
     methods: &[Listed],
+    known: &Known,
 ) -> Result<Vec<ErrorRow>, ErrorsError> {
-    let mut rows = radiances(nodes, radius, cloud)?;
+    let mut rows = radiances(nodes, radius, cloud, known)?;
     let points: Vec<Point> = rows.iter().map(|(row, _)| point(row)).collect();
     let mut fluxes = fluxes(nodes, radius, cloud)?;
     let places: Vec<FluxPoint> = fluxes.iter().map(flux_point).collect();
@@ -65,23 +67,28 @@ fn answers<P, T: Copy>(
     }
 }
 
-/// Rows of radiances with their truth, without values.
+/// Rows of radiances with their truth, without values; solved where it is not `known`.
 pub(super) fn radiances(
     nodes: &Nodes,
     radius: f64,
     cloud: &Cloud,
+    known: &Known,
 ) -> Result<Vec<(ErrorRow, Truth)>, ErrorsError> {
     let medium = SolveMedium::full(cloud.phase().clone(), cloud.omega());
     let solver = RadianceSolver::new(medium, TOLERANCE)?;
     let mut rows = Vec::new();
     for theta_l in &nodes.theta_l_deg {
         for views in nodes.views(*theta_l) {
-            let truths = truth::of_sun(&solver, &nodes.tau, *theta_l, &views)?;
-            for (tau, truths) in nodes.tau.iter().zip(truths.chunks(views.len())) {
-                rows.extend(views.iter().zip(truths).map(|(sight, truth)| {
-                    (sight.row(radius, *tau, truth.map(|(total, _)| rounded(total))), *truth)
-                }));
-            }
+            let empty = nodes.tau.iter().flat_map(|tau| views.iter().map(|sight| sight.row(radius, *tau)));
+            let empty: Vec<ErrorRow> = empty.collect();
+            let truths = match known.truths(&empty) {
+                Some(truths) => truths,
+                None => truth::of_sun(&solver, &nodes.tau, *theta_l, &views)?,
+            };
+            let with = |(row, truth): (ErrorRow, Truth)| {
+                (ErrorRow { truth: truth.map(|(total, _)| rounded(total)), ..row }, truth)
+            };
+            rows.extend(empty.into_iter().zip(truths).map(with));
         }
     }
     Ok(rows)

@@ -16,14 +16,14 @@ pub struct AdviseArgs {
     #[arg(value_name = "SCENE")]
     pub scene: String,
     /// Largest error of radiances at 95 % of the scene: `2%` or 0.02.
-    #[arg(long, value_name = "SHARE")]
+    #[arg(long, value_name = "SHARE", allow_hyphen_values = true)]
     pub max_error: Option<String>,
     /// Largest cost of a pixel in nanoseconds (f32, one thread).
     #[arg(long, value_parser = finite, value_name = "NS")]
     pub max_ns: Option<f64>,
-    /// Albedo of the ground where its light is seen.
-    #[arg(long, value_parser = finite, value_name = "RHO", default_value = "0.2")]
-    pub ground_albedo: f64,
+    /// Albedo of the ground where its light is seen, instead of the scene's `[ground] albedo`; 0.2 where neither says.
+    #[arg(long, value_parser = finite, value_name = "RHO")]
+    pub ground_albedo: Option<f64>,
     /// Write a config for `reproduce` and `codegen` that emits just what is advised.
     #[arg(long, value_name = "FILE")]
     pub emit: Option<PathBuf>,

@@ -12,6 +12,9 @@ pub struct ErrorsArgs {
     /// Folder to write errors.csv, colour.csv and methods.csv to.
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+    /// Take truths from the data in this folder where it has them: after a method changed, nothing is solved again.
+    #[arg(long, value_name = "DIR")]
+    pub before: Option<PathBuf>,
     /// A few nodes only, for trials.
     #[arg(long)]
     pub small: bool,

@@ -23,13 +23,13 @@ pub fn run(args: &AdviseArgs, talk: Talk) -> Result<Text, CliError> {
     let (_, scene) = find(&args.scene).map_err(input_error)?;
     let data = args.data.as_deref().map_or_else(Data::committed, Data::load).map_err(refused)?;
     let tau = thickness(&scene)?;
-    let advice = advise(&data, &scene, tau, &budget, Some(args.ground_albedo)).map_err(refused)?;
+    let advice = advise(&data, &scene, tau, &budget, args.ground_albedo).map_err(refused)?;
     let text = if args.json { to_json(&advice)? } else { advice.to_string() };
     if !advice.met {
         return Err(CliError::Unmet { message: nearest(&advice), data: text });
     }
     if let Some(path) = &args.emit {
-        write_atomic(path, config::text(&advice, &scene, tau).as_bytes())?;
+        write_atomic(path, config::text(&advice, &scene, tau, path).as_bytes())?;
         talk.say(format!("{}: run `stratiform reproduce` on it", path.display()));
     }
     Ok(text)

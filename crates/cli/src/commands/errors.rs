@@ -13,9 +13,10 @@ use stratiform_chart::errors::{ErrorsError, Nodes, make};
 /// [`CliError::Failed`] if the truth cannot be solved, [`CliError::Input`] if the folder cannot be written.
 pub fn run(args: &ErrorsArgs, talk: Talk) -> Result<Data, CliError> {
     let nodes = if args.small { Nodes::small() } else { Nodes::full() };
+    let before = args.before.as_deref().map(ErrorData::read).transpose()?;
     let spinner = progress::spinner("errors", talk.quiet);
     let clouds = nodes.radii_um.iter().map(|radius| clouds(*radius)).collect::<Result<Vec<_>, _>>()?;
-    let data = make(&nodes, &clouds, &|| spinner.tick()).map_err(failed)?;
+    let data = make(&nodes, &clouds, before.as_ref(), &|| spinner.tick()).map_err(failed)?;
     spinner.finish_and_clear();
     create_folder(&args.out)?;
     data.write(&args.out)?;

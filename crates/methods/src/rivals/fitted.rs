@@ -68,11 +68,17 @@ fn promise() -> Promise {
     Promise::relative(0.25, region([1e-3, 1e4], 0.1736)).outside_aureole(6.0)
 }
 
-/// With the accepted coefficients, with or without the halo.
-pub(crate) fn method(name: &str, title: &'static str, with_halo: bool) -> Simple {
+/// With the accepted coefficients, with or without the halo. The phase function is exact in double precision and on
+/// [`EMITTED_TEXELS`] in single; with `texels`, on that many in both.
+pub(crate) fn method(with_halo: bool, texels: Option<usize>) -> Simple {
+    let (stem, title) = match with_halo {
+        false => ("fitted", "Fitted radiance"),
+        true => ("fitted-halo", "Fitted radiance, with the halo"),
+    };
+    let count = texels.unwrap_or(EMITTED_TEXELS);
     let halo_bytes = if with_halo { HaloTexels::<f32>::bytes() } else { 0 };
     let card = Card {
-        name: name.to_owned(),
+        name: texels.map_or(stem.to_owned(), |texels| format!("{stem}:{texels}")),
         title,
         source: "This project: stratiform_model::radiance, after Nakajima & Tanaka 1988 and van de Hulst 1980",
         class: Class::Mixed,
@@ -81,20 +87,23 @@ pub(crate) fn method(name: &str, title: &'static str, with_halo: bool) -> Simple
             r_eff_um: Range::closed(4.0, 20.0),
             ..Domain::EVERYWHERE
         },
-        promises: Promises { radiance: Some(promise()), flux: None },
+        promises: Promises { radiance: texels.is_none().then(promise), flux: None },
         radiance: true,
         flux: false,
-        table_bytes: Some(4 * EMITTED_TEXELS + 2 * 4 * TERMS * POWERS + halo_bytes),
+        table_bytes: Some(4 * count + 2 * 4 * TERMS * POWERS + halo_bytes),
     };
     Simple::new(card, move |card, cloud| {
-        let coefficients = coefficients(cloud)?;
-        let single = Fitted {
-            coefficients: coefficients.cast::<f32>(),
-            phase: Texels::<f32>::once(cloud, EMITTED_TEXELS)?,
-            halo: if with_halo { Some(of_cloud(cloud)?) } else { None },
-        };
+        let (card, coefficients) = (card.clone(), coefficients(cloud)?);
+        let phase = Texels::<f32>::once(cloud, count)?;
         let halo = if with_halo { Some(of_cloud(cloud)?) } else { None };
-        let double = Fitted { coefficients, phase: Exact::once(cloud), halo };
-        Ok(Box::new(Shaded { card: card.clone(), double, single: InSingle(single) }))
+        let single = InSingle(Fitted { coefficients: coefficients.cast::<f32>(), phase, halo });
+        let halo = if with_halo { Some(of_cloud(cloud)?) } else { None };
+        Ok(if texels.is_some() {
+            let phase = Texels::<f64>::once(cloud, count)?;
+            Box::new(Shaded { card, double: Fitted { coefficients, phase, halo }, single })
+        } else {
+            let double = Fitted { coefficients, phase: Exact::once(cloud), halo };
+            Box::new(Shaded { card, double, single })
+        })
     })
 }

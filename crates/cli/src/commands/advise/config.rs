@@ -1,5 +1,6 @@
 //! A fit-config that emits what is advised.
 
+use std::path::Path;
 use stratiform_advise::{Advice, Channels};
 use stratiform_scene::{Interval, Scene};
 
@@ -11,9 +12,9 @@ const CHECK: &str = "[check.model]\nup_to_deg = 80.0\nparameters_relative = 0.00
                      r_2 = 0.015\n";
 
 /// The text.
-pub fn text(advice: &Advice, scene: &Scene, tau: Interval) -> String {
-    let radii = &advice.effective_radius_nodes_um;
-    let radius = radii[radii.len() / 2];
+pub fn text(advice: &Advice, scene: &Scene, tau: Interval, path: &Path) -> String {
+    let radius = radius(advice, scene);
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let number = scene.droplets.number_density_per_cm3.unwrap_or(NUMBER_PER_CM3);
     let kappa = 1e-6 * number * std::f64::consts::PI * radius * radius;
     let waves = wavelengths(advice, scene);
@@ -26,27 +27,54 @@ pub fn text(advice: &Advice, scene: &Scene, tau: Interval) -> String {
          \"hale-querry-1973\"\ntheta_f_deg = {:?}\nnumber_density_per_cm3 = {number:?}\n\n[optics.droplets]\ndistribution = \
          \"modified-gamma\"\neffective_radius_um = {radius:?}\ngamma = {:?}\n\n[transport]\nwavelength_um = {middle:?}\n\
          extinction_convention = \"paper\"\n{omega}totals_medium = \"full\"\norders_medium = \"modified\"\nsource = \"solve\"\n\n\
-         [fit]\ntheta_l_deg = {:?}\nthickness_m = {{ min = {:?}, max = {:?}, count = 20 }}\n\n[codegen]\naccepted = \"accepted\"\n\
-         output = \"generated\"\n\n[check]\ntolerance = 1e-4\nfalse_alarm_rate = 1e-5\n\n{CHECK}",
-        comment(advice),
+         [fit]\ntheta_l_deg = {:?}\nthickness_m = {{ min = {:?}, max = {:?}, count = 20 }}\n\n[codegen]\naccepted = {:?}\n\
+         output = {:?}\n\n[check]\ntolerance = 1e-4\nfalse_alarm_rate = 1e-5\n\n{CHECK}",
+        comment(advice, &stem),
         advice.title,
         scene.droplets.theta_f_deg,
         scene.droplets.gamma(),
-        advice.theta_l_nodes_deg,
+        suns(advice),
         tau.min / kappa,
         tau.max / kappa,
+        format!("{stem}-accepted"),
+        format!("{stem}-generated"),
     )
 }
 
+/// The droplets of the config: in the middle of those that the method needs tables of.
+fn radius(advice: &Advice, scene: &Scene) -> f64 {
+    let radii = &advice.phase_radii_um;
+    let range = scene.droplets.effective_radius_um;
+    radii.get(radii.len() / 2).copied().unwrap_or((range.min * range.max).sqrt())
+}
+
+/// Suns of the fit; every 10 degrees where the method does not say.
+fn suns(advice: &Advice) -> Vec<f64> {
+    let every_ten = || (0..10).map(|i| 10.0 * f64::from(i)).collect();
+    if advice.theta_l_nodes_deg.is_empty() { every_ten() } else { advice.theta_l_nodes_deg.clone() }
+}
+
 /// What the config cannot say.
-fn comment(advice: &Advice) -> String {
-    let head = "# Made by `stratiform advise`. First `stratiform reproduce` this file, then copy `accepted` beside it.\n";
+fn comment(advice: &Advice, stem: &str) -> String {
+    let call = advice.emitted.as_ref().map_or("No emitted library has this method.".to_owned(), |emitted| {
+        format!("Call {} of {stem}-generated/{}.*.", emitted.functions.join(" or "), emitted.library)
+    });
     let texels =
-        advice.phase_texels.map_or(String::new(), |count| format!("# Phase table: {count} texels.\n"));
-    let radii = &advice.effective_radius_nodes_um;
+        advice.phase_texels.map_or(String::new(), |count| format!("# {count} texels of phase suffice.\n"));
+    let radii = &advice.phase_radii_um;
     let others =
         if radii.len() > 1 { format!("# One config for each r_e of {radii:?} um.\n") } else { String::new() };
-    format!("{head}# Method: {}.\n{texels}{others}", advice.method)
+    let shared = match &advice.emitted {
+        Some(emitted) if emitted.library == "stratiform_shade" => {
+            "# radiance_parameters.json of fit-configs/appendix-b/accepted serves every cloud: copy it there too.\n"
+        }
+        _ => "",
+    };
+    format!(
+        "# Made by `stratiform advise`: {}. {call}\n{texels}{others}# First `stratiform reproduce` this file, then copy what it \
+         accepts to {stem}-accepted.\n{shared}",
+        advice.method
+    )
 }
 
 /// All, or the middle one.
