@@ -23,7 +23,7 @@ pub(super) fn of_cloud(
     let mut rows = radiances(nodes, radius, cloud, known)?;
     let points: Vec<Point> = rows.iter().map(|(row, _)| point(row)).collect();
     let mut fluxes = fluxes(nodes, radius, cloud)?;
-    let places: Vec<FluxPoint> = fluxes.iter().map(|row| flux_point(row)).collect();
+    let places: Vec<FluxPoint> = fluxes.iter().map(flux_point).collect();
     for (row, truth) in &mut rows {
         row.values = match truth {
             Some((_, orders)) => orders.map(|share| Some(per_mille(share))).to_vec(),
@@ -34,8 +34,8 @@ pub(super) fn of_cloud(
     for Listed { method, .. } in methods {
         let ready = method.prepare(cloud).ok();
         let (seen, flown) = (
-            ready.as_ref().filter(|_| method.card().radiance),
-            ready.as_ref().filter(|_| method.card().flux),
+            ready.as_deref().filter(|_| method.card().radiance),
+            ready.as_deref().filter(|_| method.card().flux),
         );
         let seen = answers(seen, &points, |ready, points| ready.radiances(points));
         for ((row, _), answer) in rows.iter_mut().zip(seen) {
@@ -55,11 +55,11 @@ pub(super) fn of_cloud(
 
 /// An answer or a refusal for each point: all asked together, or, where that is refused, each alone.
 fn answers<P, T: Copy>(
-    ready: Option<&Box<dyn Ready>>,
+    ready: Option<&dyn Ready>,
     points: &[P],
     ask: impl Fn(&dyn Ready, &[P]) -> Result<Vec<T>, MethodError>,
 ) -> Vec<Option<T>> {
-    let Some(ready) = ready.map(Box::as_ref) else { return points.iter().map(|_| None).collect() };
+    let Some(ready) = ready else { return points.iter().map(|_| None).collect() };
     let alone = |point| ask(ready, std::slice::from_ref(point)).ok()?.first().copied();
     match ask(ready, points) {
         Ok(values) => values.into_iter().map(Some).collect(),

@@ -152,7 +152,7 @@ fn symbol(name: &str) -> &str {
 fn shown(count: usize, room: f64, each: f64) -> impl Iterator<Item = usize> {
     let every = (each * count as f64 / room).max(1.0) as usize;
     let every = if every as f64 * room / count as f64 >= each - 1e-9 { every } else { every + 1 };
-    (0..count).filter(move |i| (count - 1 - i) % every == 0)
+    (0..count).filter(move |i| (count - 1 - i).is_multiple_of(every))
 }
 
 fn number(value: f64) -> String {
