@@ -158,13 +158,25 @@ const modules = {
     "stratiform.wgsl + stratiform_self_test.wgsl": `${library}\n${read("stratiform_self_test.wgsl")}`,
     "stratiform_phase.wgsl": read("stratiform_phase.wgsl"),
 };
+// What stands on these, where it is emitted.
+const below = ["stratiform", "stratiform_weights", "stratiform_phase"];
+const pasted = (name, ending) => [...below, name].map((part) => read(`${part}.${ending}`)).join("\n");
+for (const name of ["stratiform_radiance", "stratiform_shade", "stratiform_halo"]) {
+    if (existsSync(join(folder, `${name}.wgsl`))) modules[`${name}.wgsl below the others`] = pasted(name, "wgsl");
+}
 const rows = read("phase_warped.csv").trim().split("\n").slice(1).map((line) => line.split(",").map(Number));
+const phase_table = [...rows.map((row) => row[2]), ...rows.map((row) => row[3])];
 // Each library with its self-test, the table that it takes, and a constant of which a thousandth is seen.
 const libraries = [
     { name: "stratiform", selfTest: "stratiform_self_test", constant: library.match(/STRATIFORM_KAPPA_S: f32 = ([0-9.]+)/)[1] },
-    { name: "stratiform_phase", selfTest: "stratiform_phase_self_test", constant: "0.2145988016",
-        table: [...rows.map((row) => row[2]), ...rows.map((row) => row[3])] },
+    { name: "stratiform_phase", selfTest: "stratiform_phase_self_test", constant: "0.2145988016", table: phase_table },
 ];
+// The radiance on top of the others, with a thousandth of a constant of the weights, or of 1 - g.
+for (const [name, constant] of [["stratiform_radiance", "0.85714286"], ["stratiform_shade", /STRATIFORM_SIMILARITY: f32 = ([0-9.]+)/]]) {
+    if (!existsSync(join(folder, `${name}.wgsl`))) continue;
+    const number = typeof constant === "string" ? constant : read(`${name}.wgsl`).match(constant)[1];
+    libraries.push({ name, selfTest: `${name}_self_test`, constant: number, table: phase_table, text: (ending) => pasted(name, ending) });
+}
 const slip = (code, constant) => code.replace(constant, (1.001 * constant).toFixed(9));
 const page = await open().catch((error) => {
     console.error(`FAILED the browser: ${error.message}`);
@@ -183,12 +195,12 @@ try {
     }
     const broken = await page.evaluate(messages, library.replace("f32", "f23"));
     check("Tint, a planted error", broken.join("; ").split("\n")[0], broken.some((m) => m.startsWith("error")));
-    for (const { name, selfTest, constant, table } of libraries) {
+    for (const { name, selfTest, constant, table, text } of libraries) {
         for (const [place, run, ending] of [["WebGPU", selfTestWebGpu, "wgsl"], ["WebGL 2", selfTestWebGl, "300es.glsl"]]) {
-            const file = `${name}.${ending}`;
-            const wrong = await page.evaluate(run, read(file), selfTest, table);
+            const code = text ? text(ending) : read(`${name}.${ending}`);
+            const wrong = await page.evaluate(run, code, selfTest, table);
             check(`${selfTest} in ${place}, wrong values`, wrong, wrong === 0);
-            const planted = await page.evaluate(run, slip(read(file), constant), selfTest, table);
+            const planted = await page.evaluate(run, slip(code, constant), selfTest, table);
             check(`${selfTest} in ${place} with a planted constant, wrong values`, planted, planted > 0);
         }
     }

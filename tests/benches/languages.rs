@@ -1,5 +1,6 @@
 //! What one evaluation costs, f32, one thread, in C and in Rust: `stratiform_beam`, all nine fluxes of one (μ_l, τ);
-//! `stratiform_radiance_top` and `_bottom`, fluxes and phase functions included; `stratiform_halo`. And the bytes of every
+//! `stratiform_radiance_top` and `_bottom`, fluxes and phase functions included; `stratiform_halo`;
+//! `stratiform_shade_top`, `_bottom`, and `_top_with` where all sights share a thickness. And the bytes of every
 //! target. `cargo bench -p stratiform-tests --bench languages`
 
 #![allow(
@@ -103,10 +104,24 @@ fn costs(emitted: &Emitted) {
         emitted,
         c: include_str!("../src/languages/drivers/radiance/cost.c"),
         rust: include_str!("../src/languages/drivers/radiance/cost.rs"),
-        files: &["stratiform", "stratiform_phase", "stratiform_radiance", "stratiform_halo"],
+        files: &[
+            "stratiform",
+            "stratiform_weights",
+            "stratiform_phase",
+            "stratiform_radiance",
+            "stratiform_shade",
+            "stratiform_halo",
+        ],
         input: sights(),
     };
-    for function in ["stratiform_radiance_top", "stratiform_radiance_bottom", "stratiform_halo"] {
+    for function in [
+        "stratiform_radiance_top",
+        "stratiform_radiance_bottom",
+        "stratiform_halo",
+        "stratiform_shade_top",
+        "stratiform_shade_bottom",
+        "stratiform_shade_top_with",
+    ] {
         radiance.print(function);
     }
 }

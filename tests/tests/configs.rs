@@ -41,8 +41,10 @@ fn accepted_parameters_belong_to_their_config() {
 /// What a library stands below.
 fn above(name: &str) -> &'static [&'static str] {
     match name {
-        "stratiform_radiance.wgsl" => &["stratiform.wgsl", "stratiform_phase.wgsl"],
-        "stratiform_halo.wgsl" => &["stratiform.wgsl", "stratiform_phase.wgsl", "stratiform_radiance.wgsl"],
+        "stratiform_weights.wgsl" => &["stratiform.wgsl"],
+        "stratiform_radiance.wgsl" | "stratiform_shade.wgsl" | "stratiform_halo.wgsl" => {
+            &["stratiform.wgsl", "stratiform_weights.wgsl", "stratiform_phase.wgsl"]
+        }
         "stratiform_family.wgsl" => &["stratiform.wgsl"],
         "stratiform_family_phase.wgsl" => &["stratiform_phase.wgsl"],
         _ => &[],

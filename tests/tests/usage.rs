@@ -9,7 +9,14 @@ use stratiform_tests::languages::{Emitted, native};
 const USAGE: &str = include_str!("../../crates/codegen/src/usage.md");
 
 /// Every library.
-const FILES: [&str; 4] = ["stratiform", "stratiform_phase", "stratiform_radiance", "stratiform_halo"];
+const FILES: [&str; 6] = [
+    "stratiform",
+    "stratiform_weights",
+    "stratiform_phase",
+    "stratiform_radiance",
+    "stratiform_shade",
+    "stratiform_halo",
+];
 
 /// The block of a language.
 fn block(language: &str) -> String {

@@ -14,7 +14,7 @@ pub struct Emitted {
 /// Where the method called `name` stands in what is emitted; `None` for methods that are not.
 pub(crate) fn emitted(name: &str) -> Option<Emitted> {
     let (library, functions) = match stem(name) {
-        "better" => ("stratiform_shade", ["stratiform_shade_top", "stratiform_shade_bottom"]),
+        "fitted" | "fitted-halo" => ("stratiform_shade", ["stratiform_shade_top", "stratiform_shade_bottom"]),
         stem if is_refitted(stem) => {
             ("stratiform_radiance", ["stratiform_radiance_top", "stratiform_radiance_bottom"])
         }
@@ -39,7 +39,7 @@ mod tests {
 
     #[test]
     fn knobs_do_not_change_what_is_emitted() {
-        assert_eq!(emitted("better:64").unwrap().library, "stratiform_shade");
+        assert_eq!(emitted("fitted:64").unwrap().library, "stratiform_shade");
         assert_eq!(emitted("bouthors-corrected-escape:256").unwrap().library, "stratiform_radiance");
         assert!(emitted("bouthors-printed").is_none() && emitted("octaves:8").is_none());
     }

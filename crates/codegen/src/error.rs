@@ -46,6 +46,12 @@ pub enum CodegenError {
         /// The radius.
         effective_radius_um: f64,
     },
+    /// Coefficients of the radiance model whose terms or numbers of them are not this program's.
+    #[error("the radiance parameters have other terms than this program's model")]
+    RadianceTerms,
+    /// Coefficients of the radiance model for another medium than the fluxes' parameters.
+    #[error("the radiance parameters belong to another medium than the parameters of fluxes")]
+    RadianceMedium,
     /// No row for diffuse light.
     #[error("the parameter table has no row `diffuse`")]
     NoDiffuseRow,

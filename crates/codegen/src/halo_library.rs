@@ -34,7 +34,7 @@ pub(crate) fn library<'a>(
     places.extend(self_test(inputs)?);
     let table = Table {
         prefix: "stratiform_halo",
-        owner: "StratiformHalo halo = {phase, radiance, buffer}; halo.stratiform_halo(mu_l, mu_v, v, tau).",
+        owner: "StratiformHalo halo = {phase, buffer}; halo.stratiform_halo(mu_l, mu_v, v, tau).",
         content: "Shape of the halo, row by row of the optical path",
         texture: format!("Its channel r holds `values` of halo.json, {rows} rows."),
         binding: 1,
@@ -83,7 +83,7 @@ fn head(inputs: &Inputs, halo: &HaloTable) -> String {
         )
         + "//            the shape of light that met two or more forward events (Goudsmit & Saunderson 1940). One event comes\n\
            //            from P itself, which ends at theta_f. C and Rust carry the table; halo.json has it.\n\
-           // Unit       reflectance factor, as in stratiform_radiance: add it to stratiform_radiance_bottom.\n\
+           // Unit       reflectance factor, to be added to stratiform_radiance_bottom or stratiform_shade_bottom.\n\
            // Error      of the table, by what each inner value differs from the mean of its neighbours, a quarter of it:\n"
         + &curvature(halo)
         + &medium_line(inputs)

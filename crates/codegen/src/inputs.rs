@@ -2,7 +2,7 @@
 
 use crate::{CodegenError, parameter_grid};
 use serde::{Deserialize, Serialize};
-use stratiform_artifact::ParametersDocument;
+use stratiform_artifact::{ParametersDocument, RadianceParametersDocument};
 use stratiform_quantities::{Incidence, OpticalThickness, Range};
 
 /// The fluxes, in the order in which they are emitted.
@@ -91,6 +91,8 @@ pub struct Inputs {
     pub phase: PhaseTables,
     /// Shape of the halo of forward events; none where the medium has no forward peak.
     pub halo: Option<HaloTable>,
+    /// Coefficients of the fitted radiance model; none where it was not fitted.
+    pub radiance: Option<RadianceParametersDocument>,
     /// Fluxes for the error card: at the table's angles, between them, and diffuse, in any order. May be empty.
     pub reference: Vec<ReferencePoint>,
 }
@@ -123,6 +125,9 @@ impl Inputs {
             check_phase(rows).map_err(|message| CodegenError::Phase { table, message })?;
         }
         self.halo.as_ref().map_or(Ok(()), HaloTable::check)?;
+        if self.radiance.as_ref().is_some_and(|radiance| radiance.medium != *medium) {
+            return Err(CodegenError::RadianceMedium);
+        }
         for point in &self.reference {
             Range::at_least(0.0).check("std_error", point.std_error)?;
         }

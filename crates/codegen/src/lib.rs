@@ -8,11 +8,13 @@
 //! | --- | --- |
 //! | `stratiform.*` | the one-dimensional model over (μ_l, optical thickness), with its table and self-test, a [`Target`] each |
 //! | `stratiform_phase.*` | look-up of the phase functions, likewise |
-//! | `stratiform_radiance.*` | the angular model of radiance, on top of both, likewise |
-//! | `stratiform_halo.*`, `halo.json` | light that met forward events only, on top of all three, with its table |
+//! | `stratiform_weights.*` | what single and double scattering in a slab share, for the three below |
+//! | `stratiform_radiance.*` | the angular model of radiance, on top of the three above, with its self-test |
+//! | `stratiform_shade.*` | the fitted model of radiance, likewise, where its coefficients are given |
+//! | `stratiform_halo.*`, `halo.json` | light that met forward events only, likewise, with its table |
 //! | `stratiform_self_test.{wgsl,spv}` | compute entry point that evaluates the model over a buffer |
 //! | `self_test.json` | inputs for it and the f64 model's outputs |
-//! | `radiance_test.csv` | inputs for the radiance library and the f64 model's outputs |
+//! | `radiance_test.csv`, `shade_test.csv` | inputs for the two libraries of radiance and the f64 models' outputs |
 //! | `parameters.json`, `parameters.csv` | the parameters, with errors and flags |
 //! | `phase_full.csv`, `phase_modified.csv`, `phase_squared.csv` | P, P_S and P_S convolved with itself |
 //! | `phase_warped.csv` | the same on the angle map of `stratiform_quantities` |
@@ -32,6 +34,8 @@ mod phase_library;
 mod radiance_library;
 mod radiance_test;
 mod self_test;
+mod shade_library;
+mod shade_test;
 mod shader;
 mod spirv;
 mod stale;
@@ -39,6 +43,7 @@ mod table_access;
 mod tables;
 mod text;
 pub mod usage;
+mod weights_library;
 
 pub use error::CodegenError;
 pub use error_card::{ErrorCard, error_card};
@@ -50,6 +55,7 @@ pub use node_error::leave_one_out;
 pub use phase::COUNT as PHASE_TEXELS;
 pub use radiance_test::RadianceVector;
 pub use self_test::{SelfTest, SelfTestVector, self_test_module};
+pub use shade_test::ShadeVector;
 pub use stale::{REGENERATE, Stale, check, left_over, write};
 pub use tables::{diffuse_parameters, parameter_grid};
 
@@ -67,11 +73,18 @@ pub fn generate(inputs: &Inputs, targets: &[Target]) -> Result<Files, CodegenErr
         files.push(("halo.json".to_owned(), stratiform_artifact::to_json(halo)?.into_bytes()));
     }
     files.push(("radiance_test.csv".to_owned(), radiance_test::document(inputs)?.into_bytes()));
+    if let Some(document) = &inputs.radiance {
+        files.push(("shade_test.csv".to_owned(), shade_test::document(inputs, document)?.into_bytes()));
+    }
     let (fluxes, phase) = (shader::library(inputs)?, phase_library::library(inputs, &[]));
-    let radiance = radiance_library::library(inputs, &fluxes, &phase)?;
-    let needs = vec![&fluxes, &phase, &radiance];
-    let halo = inputs.halo.as_ref().map(|table| halo_library::library(inputs, table, needs)).transpose()?;
-    let libraries: Vec<_> = [&fluxes, &phase, &radiance].into_iter().chain(&halo).collect();
+    let weights = weights_library::library(inputs, &fluxes);
+    let needs = vec![&fluxes, &weights, &phase];
+    let radiance = radiance_library::library(inputs, needs.clone())?;
+    let shade = |document| shade_library::library(inputs, document, needs.clone());
+    let shade = inputs.radiance.as_ref().map(shade).transpose()?;
+    let halo = |table| halo_library::library(inputs, table, needs.clone());
+    let halo = inputs.halo.as_ref().map(halo).transpose()?;
+    let libraries: Vec<_> = needs.iter().copied().chain([&radiance]).chain(&shade).chain(&halo).collect();
     for (library, target) in libraries.iter().flat_map(|library| targets.iter().map(move |t| (library, *t))) {
         if let (Some(text), Some(extension)) = (language::translate(library, target)?, target.extension()) {
             files.push((format!("{}.{extension}", library.name), text.into_bytes()));

@@ -20,19 +20,15 @@ const TESTED: [[f64; 4]; 9] = [
     [0.7, 0.5, 20.0, 3.0],
 ];
 
-/// The library, which stands below `fluxes` and `phase`.
-pub(crate) fn library<'a>(
-    inputs: &Inputs,
-    fluxes: &'a Library<'a>,
-    phase: &'a Library<'a>,
-) -> Result<Library<'a>, CodegenError> {
+/// The library, which stands below `needs`: weights and phase functions, and what they need.
+pub(crate) fn library<'a>(inputs: &Inputs, needs: Vec<&'a Library<'a>>) -> Result<Library<'a>, CodegenError> {
     Ok(Library {
         head: head(inputs),
         name: "stratiform_radiance",
         code: fill(include_str!("wgsl/radiance.wgsl"), &self_test(inputs)?),
         owner: Some("StratiformRadiance"),
         glue: None,
-        needs: vec![fluxes, phase],
+        needs,
     })
 }
 

@@ -62,11 +62,19 @@ impl RadianceVector {
 }
 
 /// The emitted tables in double precision.
-struct Tables {
+pub(crate) struct Tables {
     p: Vec<f64>,
     squared: Vec<f64>,
     forward_fraction: f64,
     edge: f64,
+}
+
+impl Tables {
+    pub fn new(inputs: &Inputs) -> Self {
+        let (p, squared) = warped(inputs).iter().map(|row| (row.p, row.p_squared)).unzip();
+        let medium = &inputs.parameters.medium;
+        Self { p, squared, forward_fraction: medium.forward_fraction, edge: versine(medium.theta_f_deg) }
+    }
 }
 
 /// Θ in degrees of v.
@@ -98,13 +106,10 @@ pub(crate) struct Twin {
 
 impl Twin {
     pub fn new(inputs: &Inputs) -> Result<Self, CodegenError> {
-        let (p, squared) = warped(inputs).iter().map(|row| (row.p, row.p_squared)).unzip();
-        let medium = &inputs.parameters.medium;
-        let (forward_fraction, edge) = (medium.forward_fraction, versine(medium.theta_f_deg));
         Ok(Self {
             grid: parameter_grid(&inputs.parameters.optical)?,
             kappa_s: inputs.parameters.optical.kappa_s,
-            tables: Tables { p, squared, forward_fraction, edge },
+            tables: Tables::new(inputs),
             halo: inputs.halo.clone(),
         })
     }
@@ -160,15 +165,20 @@ fn shape(table: &HaloTable, v: f64, q: f64) -> f64 {
     at(row) + (at(row + 1) - at(row)) * (along - row as f64)
 }
 
-/// radiance_test.csv: every pair of cosines at every thickness, with angles and shapes in turn.
-pub(crate) fn document(inputs: &Inputs) -> Result<String, CodegenError> {
-    let twin = Twin::new(inputs)?;
+/// μ_l, μ_v, Θ in degrees and τ: every pair of cosines at every thickness, with angles in turn.
+pub(crate) fn sights() -> impl Iterator<Item = [f64; 4]> {
     let pairs = MU_L.iter().flat_map(|mu_l| MU_V.iter().map(move |mu_v| (*mu_l, *mu_v)));
     let sights = pairs.flat_map(|(mu_l, mu_v)| TAUS.iter().map(move |tau| (mu_l, mu_v, *tau)));
-    let vector = |(i, (mu_l, mu_v, tau)): (usize, (f64, f64, f64))| {
-        let theta_deg = THETA_DEG[i % THETA_DEG.len()];
+    let angle = |i: usize| THETA_DEG[i % THETA_DEG.len()];
+    sights.enumerate().map(move |(i, (mu_l, mu_v, tau))| [mu_l, mu_v, angle(i), tau])
+}
+
+/// radiance_test.csv: the sights with shapes in turn.
+pub(crate) fn document(inputs: &Inputs) -> Result<String, CodegenError> {
+    let twin = Twin::new(inputs)?;
+    let vector = |(i, [mu_l, mu_v, theta_deg, tau]): (usize, [f64; 4])| {
         twin.vector([mu_l, mu_v, versine(theta_deg), tau], i % Emission::ALL.len())
     };
-    let vectors = sights.enumerate().map(vector).collect::<Result<Vec<_>, _>>()?;
+    let vectors = sights().enumerate().map(vector).collect::<Result<Vec<_>, _>>()?;
     Ok(to_csv(&vectors)?)
 }

@@ -12,7 +12,7 @@ pub(crate) fn literal(value: f64) -> String {
 
 /// Text from a document as part of a comment line: printable ASCII without backslashes, which would end the line or go
 /// on into the next.
-fn comment(text: &str) -> String {
+pub(crate) fn comment(text: &str) -> String {
     let plain = |c: char| if c != '\\' && (c == ' ' || c.is_ascii_graphic()) { c } else { '?' };
     text.replace("??/", "???").chars().map(plain).collect()
 }

@@ -3,7 +3,7 @@
 
 mod common;
 
-use stratiform_artifact::RowIncidence;
+use stratiform_artifact::{RadianceParametersDocument, RowIncidence};
 use stratiform_codegen::{
     CodegenError, Inputs, QUANTITIES, ReferencePoint, SelfTest, Target, error_card, generate, leave_one_out,
 };
@@ -82,16 +82,40 @@ fn numbers_beyond_single_precision_are_refused_by_name() {
     }
 }
 
+#[test]
+fn coefficients_of_another_cloud_or_of_other_terms_are_refused() {
+    let refused = |change: &dyn Fn(&mut RadianceParametersDocument)| {
+        let mut inputs = common::inputs();
+        change(inputs.radiance.as_mut().unwrap());
+        generate(&inputs, &Target::ALL).unwrap_err()
+    };
+    assert!(matches!(refused(&|r| r.medium.asymmetry = 0.8), CodegenError::RadianceMedium));
+    assert!(matches!(refused(&|r| r.exponents.swap(0, 1)), CodegenError::RadianceTerms));
+    assert!(matches!(refused(&|r| drop(r.faces.pop())), CodegenError::RadianceTerms));
+    let beyond = refused(&|r| r.faces[0].coefficients[2][3].value = f64::NAN);
+    assert!(beyond.to_string().contains("coefficient"), "{beyond}");
+}
+
+/// The other libraries do not depend on them.
+#[test]
+fn without_coefficients_no_fitted_radiance_is_emitted() {
+    let inputs = Inputs { radiance: None, ..common::inputs() };
+    let files = generate(&inputs, &Target::ALL).unwrap();
+    assert!(files.names().all(|name| !name.contains("shade")));
+    assert!(files.names().any(|name| name == "stratiform_radiance.h"));
+}
+
 /// A document's text cannot leave the comments of the files that quote it.
 #[test]
 fn text_of_the_documents_stays_in_comments() {
     let mut inputs = common::inputs();
     inputs.parameters.provenance.method = "fit\nplanted;\u{2028}planted; \\".to_owned();
     inputs.parameters.provenance.config_hash = "x\rplanted; ??/".to_owned();
+    inputs.radiance.as_mut().unwrap().provenance = inputs.parameters.provenance.clone();
     let files = generate(&inputs, &Target::ALL).unwrap();
     let text = |name: &&str| Target::ALL.iter().filter_map(|t| t.extension()).any(|e| name.ends_with(e));
     let names: Vec<_> = files.names().filter(|name| name.starts_with("stratiform")).filter(text).collect();
-    assert_eq!(names.len(), 33);
+    assert_eq!(names.len(), 49);
     for name in names {
         let text = files.text(name).unwrap();
         assert!(text.is_ascii() && !text.contains("\\\n") && !text.contains("??/"), "{name}");

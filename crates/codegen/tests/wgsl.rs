@@ -24,9 +24,10 @@ fn every_module_is_valid_by_itself() {
         validate(name, files.text(name).unwrap());
     }
     let text = |name: &str| files.text(name).unwrap();
-    let names =
-        ["stratiform.wgsl", "stratiform_phase.wgsl", "stratiform_radiance.wgsl", "stratiform_halo.wgsl"];
-    validate("radiance", &names.map(text).join("\n"));
+    let needs = ["stratiform.wgsl", "stratiform_weights.wgsl", "stratiform_phase.wgsl"].map(text).join("\n");
+    for name in ["stratiform_radiance.wgsl", "stratiform_shade.wgsl", "stratiform_halo.wgsl"] {
+        validate(name, &format!("{needs}\n{}", text(name)));
+    }
     validate("self-test", &stratiform_codegen::self_test_module(&files).unwrap());
 }
 

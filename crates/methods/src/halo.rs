@@ -2,8 +2,8 @@
 
 use crate::scalar::{Scalar, least};
 use crate::{Cloud, MethodError};
-use stratiform_model::angular::halo::HaloLookup;
-use stratiform_optics::phase::{Halo, HaloTable};
+use stratiform_model::angular::halo::{HaloLookup, Peak};
+use stratiform_optics::phase::{Halo, HaloTable, versine};
 
 /// `HaloTable` as a texture: bilinear in s = sin(Θ/2) and q, 0 beyond the last s, the last row beyond the last q.
 #[derive(Clone, Debug)]
@@ -29,6 +29,13 @@ impl<F: Scalar> HaloTexels<F> {
     pub(crate) fn bytes() -> usize {
         4 * 256 * 25
     }
+}
+
+/// P_F and the halo of `cloud`.
+pub(crate) fn of_cloud<F: Scalar>(cloud: &Cloud) -> Result<(Peak<F>, HaloTexels<F>), MethodError> {
+    let edge = F::of(versine(cloud.theta_f_deg().to_radians()));
+    let peak = Peak { forward_fraction: F::of(cloud.forward_fraction()), edge };
+    Ok((peak, HaloTexels::new(cloud)?))
 }
 
 /// Cell and place in it of `x` ∈ \[0, 1\] on `count` nodes.
@@ -57,7 +64,7 @@ impl<F: Scalar> HaloLookup<F> for HaloTexels<F> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stratiform_optics::phase::{HenyeyGreenstein, Norm, PhaseFunction, PhaseTable, versine};
+    use stratiform_optics::phase::{HenyeyGreenstein, Norm, PhaseFunction, PhaseTable};
     use stratiform_quantities::{Asymmetry, SingleScatteringAlbedo};
 
     #[test]

@@ -14,7 +14,7 @@
 //! | | `half-space`, `half-space-modified` | f |
 //! | 4.1.4 path integration | none: the equations of Premože et al. 2004 are not at hand to be checked | |
 //! | 4.1.6 mixed | `bouthors-printed`, `-published`, `-corrected`, `-corrected-isotropic`, `-corrected-escape`, `-corrected-halo`, `-family` | shader f r |
-//! | | `better` | shader r |
+//! | | `fitted`, `fitted-halo` | shader r |
 //! | 4.1.7 heuristics | `octaves`, `beer-powder` | shader r |
 //! | not in the survey | `solver` | f r |
 //! | | `orders` | f, up to order 2 r |

@@ -7,7 +7,7 @@ use crate::rivals::bouthors::{self, Reading, Table};
 use crate::rivals::monte_carlo::{self, Geometry};
 use crate::rivals::two_stream::{self, Closure};
 use crate::rivals::{
-    asymptotic, beer_powder, better, multiple_forward, octaves, single_scattering, solver, successive,
+    asymptotic, beer_powder, fitted, multiple_forward, octaves, single_scattering, solver, successive,
 };
 use crate::{Method, MethodError};
 use stratiform_model::angular::Emission;
@@ -58,6 +58,13 @@ fn read(stem: &'static str, title: &'static str, table: Table, reading: Reading)
 
 fn bouthors(stem: &'static str, title: &'static str, table: Table, emission: Emission) -> Entry {
     read(stem, title, table, Reading::Corrected(emission))
+}
+
+fn shaded(stem: &'static str, title: &'static str, with_halo: bool) -> Entry {
+    let make = move |count: Option<f64>| -> Box<dyn Method> {
+        Box::new(fitted::method((stem, count.map(|count| count as usize)), title, with_halo))
+    };
+    Entry { stem, knob: Some(texels()), make: Box::new(make) }
 }
 
 fn knob(counts: &'static str, range: Range, values: &'static [f64]) -> Knob {
@@ -129,11 +136,8 @@ fn entries() -> Vec<Entry> {
             Table::Family,
             Reading::NearestShapes,
         ),
-        Entry {
-            stem: "better",
-            knob: Some(texels()),
-            make: Box::new(|count| Box::new(better::method(count.map(|count| count as usize)))),
-        },
+        shaded("fitted", "Fitted radiance", false),
+        shaded("fitted-halo", "Fitted radiance, with the halo", true),
         turned("orders", orders, 2.0, |count| successive::method(count as u32)),
         turned("solver", streams, 16.0, |count| solver::method(count as usize)),
     ];

@@ -136,6 +136,24 @@ fn names_lead_to_methods() {
     }
 }
 
+/// The models for a range of droplets serve all of it and nothing else; droplets without r_e have no table in the family.
+#[test]
+fn droplet_sizes_outside_the_range_are_refused() {
+    let of = |r_eff_um| {
+        let one = cloud(1.0);
+        Cloud::new((**one.phase()).clone(), one.omega(), one.theta_f_deg(), r_eff_um).unwrap()
+    };
+    for name in ["fitted", "fitted-halo", "bouthors-family"] {
+        let prepared = |radius| by_name(name).unwrap().prepare(&of(radius));
+        assert!(prepared(Some(4.0)).is_ok() && prepared(Some(20.0)).is_ok(), "{name}");
+        for radius in [3.99, 20.01] {
+            assert!(matches!(prepared(Some(radius)), Err(MethodError::Domain(_))), "{name} {radius}");
+        }
+    }
+    assert!(matches!(by_name("bouthors-family").unwrap().prepare(&of(None)), Err(MethodError::Domain(_))));
+    assert!(by_name("bouthors-corrected").unwrap().prepare(&of(Some(8.0))).is_err());
+}
+
 /// Formulas whose two precisions evaluate the same functions: those without tables, and those on texels in both.
 fn twins() -> Vec<Box<dyn Method>> {
     let mut twins = all();

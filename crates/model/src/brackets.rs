@@ -8,8 +8,8 @@
 //! once_each(y)   = 1 - (1+y) e^-y   = y²/2 q(y) e^-y
 //! ```
 //!
-//! The left-hand sides serve y ≥ 1, where they lose nothing. The emitted shaders have the same functions with the
-//! same branch.
+//! The left-hand sides serve y ≥ 1, where they lose nothing. The emitted shaders have the same branch, and below
+//! it a polynomial of fixed degree through values at Chebyshev's points.
 
 use crate::Real;
 

@@ -91,7 +91,7 @@ fn every_scene_and_knob_has_a_figure_with_its_methods() {
     let dir = folder(&rows(), "A method");
     write_csv(&dir.path().join("knobs.csv"), &[knob(1.0), knob(2.0)]).unwrap();
     let summary = build_chart(dir.path()).unwrap();
-    assert_eq!(summary.figures.len(), 2);
+    assert_eq!(summary.figures.len(), 3);
     for path in &summary.figures {
         roxmltree::Document::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
     }
@@ -103,6 +103,8 @@ fn every_scene_and_knob_has_a_figure_with_its_methods() {
         "the front in two panels and the legend: {svg}"
     );
     assert!(read(dir.path(), "knob-quick-orders.svg").contains("orders"));
+    let shaders = read(dir.path(), "shaders-a-scene.svg");
+    assert!(shaders.contains("Radiance above") && !shaders.contains("Reflectance"), "{shaders}");
 }
 
 #[test]

@@ -2,17 +2,17 @@
 // Halo around the sun behind a stratiform layer: light that met forward events only.
 //
 // Program    stratiform 0.1.0
-// Inputs     e89616394915d19b2917f09535a9b91e
+// Inputs     008870ce127a849274c67345bb71b8a7
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
-// Use        stratiform_halo.450.glsl: paste it below stratiform.450.glsl, stratiform_phase.450.glsl, stratiform_radiance.450.glsl.
+// Use        stratiform_halo.450.glsl: paste it below stratiform.450.glsl, stratiform_weights.450.glsl, stratiform_phase.450.glsl.
 // Check      stratiform_halo_self_test() returns the number of wrong values: 0 if the table is in place.
 // Table      128 columns of sin(Theta / 2) up to Theta = 20.0 deg, 16 rows of the optical path up to 24:
 //            the shape of light that met two or more forward events (Goudsmit & Saunderson 1940). One event comes
 //            from P itself, which ends at theta_f. C and Rust carry the table; halo.json has it.
-// Unit       reflectance factor, as in stratiform_radiance: add it to stratiform_radiance_bottom.
+// Unit       reflectance factor, to be added to stratiform_radiance_bottom or stratiform_shade_bottom.
 // Error      of the table, by what each inner value differs from the mean of its neighbours, a quarter of it:
 //            2.4e-3 of the row's peak at most between columns, 3.9e-3 between rows.
 // Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
@@ -78,7 +78,7 @@ float stratiform_halo_several(float mu_l, float mu_v, float v, float tau) {
     return 0.5 * weight * stratiform_halo_shape(v, q) / (sun + view);
 }
 
-// Reflectance factor of all light that met forward events only: what stratiform_radiance_bottom leaves out around the
+// Reflectance factor of all light that met forward events only: what the libraries of radiance leave out around the
 // sun. There is none at the lit face.
 float stratiform_halo(float mu_l, float mu_v, float v, float tau) {
     return stratiform_halo_once(mu_l, mu_v, v, tau) + stratiform_halo_several(mu_l, mu_v, v, tau);

@@ -2,17 +2,17 @@
 // Halo around the sun behind a stratiform layer: light that met forward events only.
 //
 // Program    stratiform 0.1.0
-// Inputs     e89616394915d19b2917f09535a9b91e
+// Inputs     008870ce127a849274c67345bb71b8a7
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
-// Use        stratiform_halo.h: include it, in as many places as you like; C99 or C++11 and later; link with -lm; it wants stratiform.h, stratiform_phase.h, stratiform_radiance.h beside it.
+// Use        stratiform_halo.h: include it, in as many places as you like; C99 or C++11 and later; link with -lm; it wants stratiform.h, stratiform_weights.h, stratiform_phase.h beside it.
 // Check      stratiform_halo_self_test() returns the number of wrong values: 0 if the table is in place.
 // Table      128 columns of sin(Theta / 2) up to Theta = 20.0 deg, 16 rows of the optical path up to 24:
 //            the shape of light that met two or more forward events (Goudsmit & Saunderson 1940). One event comes
 //            from P itself, which ends at theta_f. C and Rust carry the table; halo.json has it.
-// Unit       reflectance factor, as in stratiform_radiance: add it to stratiform_radiance_bottom.
+// Unit       reflectance factor, to be added to stratiform_radiance_bottom or stratiform_shade_bottom.
 // Error      of the table, by what each inner value differs from the mean of its neighbours, a quarter of it:
 //            2.4e-3 of the row's peak at most between columns, 3.9e-3 between rows.
 // Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
@@ -25,8 +25,8 @@
 #include <stdint.h>
 
 #include "stratiform.h"
+#include "stratiform_weights.h"
 #include "stratiform_phase.h"
-#include "stratiform_radiance.h"
 
 static const float stratiform_halo_table[2048] = {
     3122.3313f, 3091.3918f, 3001.1343f, 2858.801f, 2675.1199f, 2462.6887f, 2234.3232f, 2001.6863f,
@@ -343,7 +343,7 @@ static inline float stratiform_halo_several(float mu_l, float mu_v, float v, flo
     return 0.5f * weight * stratiform_halo_shape(v, q) / (sun + view);
 }
 
-// Reflectance factor of all light that met forward events only: what stratiform_radiance_bottom leaves out around the
+// Reflectance factor of all light that met forward events only: what the libraries of radiance leave out around the
 // sun. There is none at the lit face.
 static inline float stratiform_halo(float mu_l, float mu_v, float v, float tau) {
     return stratiform_halo_once(mu_l, mu_v, v, tau) + stratiform_halo_several(mu_l, mu_v, v, tau);

@@ -2,17 +2,17 @@
 // Halo around the sun behind a stratiform layer: light that met forward events only.
 //
 // Program    stratiform 0.1.0
-// Inputs     e89616394915d19b2917f09535a9b91e
+// Inputs     008870ce127a849274c67345bb71b8a7
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
-// Use        stratiform_halo.rs: make it a module of your crate; edition 2021 or later; it wants stratiform.rs, stratiform_phase.rs, stratiform_radiance.rs beside it.
+// Use        stratiform_halo.rs: make it a module of your crate; edition 2021 or later; it wants stratiform.rs, stratiform_weights.rs, stratiform_phase.rs beside it.
 // Check      stratiform_halo_self_test() returns the number of wrong values: 0 if the table is in place.
 // Table      128 columns of sin(Theta / 2) up to Theta = 20.0 deg, 16 rows of the optical path up to 24:
 //            the shape of light that met two or more forward events (Goudsmit & Saunderson 1940). One event comes
 //            from P itself, which ends at theta_f. C and Rust carry the table; halo.json has it.
-// Unit       reflectance factor, as in stratiform_radiance: add it to stratiform_radiance_bottom.
+// Unit       reflectance factor, to be added to stratiform_radiance_bottom or stratiform_shade_bottom.
 // Error      of the table, by what each inner value differs from the mean of its neighbours, a quarter of it:
 //            2.4e-3 of the row's peak at most between columns, 3.9e-3 between rows.
 // Medium     wavelength 0.55 um, single-scattering albedo 1, g 0.8534; modified: theta_f 5 deg, P_f 0.4547.
@@ -20,8 +20,8 @@
 #![allow(dead_code, missing_docs, clippy::excessive_precision, clippy::approx_constant)]
 
 use super::stratiform::*;
+use super::stratiform_weights::*;
 use super::stratiform_phase::*;
-use super::stratiform_radiance::*;
 
 /// Shape of the halo, row by row of the optical path.
 pub static STRATIFORM_HALO_TABLE: [f32; 2048] = [
@@ -339,7 +339,7 @@ pub fn stratiform_halo_several(mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
     0.5 * weight * stratiform_halo_shape(v, q) / (sun + view)
 }
 
-/// Reflectance factor of all light that met forward events only: what stratiform_radiance_bottom leaves out around the
+/// Reflectance factor of all light that met forward events only: what the libraries of radiance leave out around the
 /// sun. There is none at the lit face.
 pub fn stratiform_halo(mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
     stratiform_halo_once(mu_l, mu_v, v, tau) + stratiform_halo_several(mu_l, mu_v, v, tau)

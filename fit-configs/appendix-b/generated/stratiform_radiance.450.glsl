@@ -2,12 +2,12 @@
 // Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.
 //
 // Program    stratiform 0.1.0
-// Inputs     e89616394915d19b2917f09535a9b91e
+// Inputs     008870ce127a849274c67345bb71b8a7
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
-// Use        stratiform_radiance.450.glsl: paste it below stratiform.450.glsl, stratiform_phase.450.glsl.
+// Use        stratiform_radiance.450.glsl: paste it below stratiform.450.glsl, stratiform_weights.450.glsl, stratiform_phase.450.glsl.
 // Check      stratiform_radiance_self_test() returns the number of wrong values: 0, each held to
 //            1e-4 (0.02 + |value|).
 // Unit       reflectance factor pi L / (mu_l F0) of the sun's light, F0 its irradiance normal to the beam.
@@ -24,65 +24,12 @@ const uint STRATIFORM_ISOTROPIC = 0u;
 const uint STRATIFORM_LAMBERTIAN = 1u;
 const uint STRATIFORM_ESCAPE = 2u;
 
-// What a phase function's value is multiplied by: P_S / 4 by once, P_S convolved with itself / 8 by twice.
-struct StratiformWeights {
-    float once;
-    float twice;
-};
-
-// The same of light that goes through a slab, and exp(-depth / mu_l), the share that comes straight through.
-struct StratiformThrough {
-    float once;
-    float twice;
-    float straight;
-};
-
 // Reflectance factors pi L / (mu_l F0) of light that was scattered once, twice, and more often.
 struct StratiformOrders {
     float one;
     float two;
     float three_plus;
 };
-
-// Where a vector of a self-test looks.
-struct StratiformSight {
-    float mu_l;
-    float mu_v;
-    float v;
-    float tau;
-};
-
-// ---- weights of one and two scatterings ------------------------------------------------------------------------
-
-// Light that leaves the lit face, after a way of optical length depth / mu_l + depth / mu_v at most.
-StratiformWeights stratiform_weights_top(float mu_l, float mu_v, float tau) {
-    float sun = stratiform_leaning(mu_l);
-    float view = stratiform_leaning(mu_v);
-    float depth = STRATIFORM_KAPPA_S * tau;
-    StratiformBrackets b = stratiform_brackets(depth / sun + depth / view);
-    float share = 1.0 / (sun + view);
-    return StratiformWeights(share * b.rise, share * b.once_each);
-}
-
-// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
-StratiformThrough stratiform_through(float mu_l, float mu_v, float depth) {
-    float sun = stratiform_leaning(mu_l);
-    float view = stratiform_leaning(mu_v);
-    float shortest = depth / (sun > view ? sun : view);
-    // Nowhere 0: the mean over equal lengths is the limit of this one.
-    float apart = abs(sun - view) + 1e-9 * sun;
-    StratiformBrackets b = stratiform_brackets(depth * apart / sun / view);
-    float decay = exp(-shortest);
-    float share = decay / apart;
-    float straight = (sun > view ? decay : decay * b.decay);
-    return StratiformThrough(share * b.rise, share * (shortest * b.rise + b.once_each), straight);
-}
-
-// Light that leaves the other face.
-StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
-    StratiformThrough w = stratiform_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
-    return StratiformWeights(w.once, w.twice);
-}
 
 // ---- orders ----------------------------------------------------------------------------------------------------
 
@@ -143,16 +90,6 @@ float stratiform_radiance_bottom(float mu_l, float mu_v, float v, float tau, uin
     return o.one + o.two + o.three_plus;
 }
 
-// Share of the light from behind that crosses the slab towards mu_v without an event.
-float stratiform_transparency(float mu_v, float tau) {
-    return exp(-(tau / stratiform_leaning(mu_v)));
-}
-
-// L / F0 in 1/sr of a reflectance factor: times the sun's irradiance normal to its beam it is a radiance.
-float stratiform_radiance_from_factor(float factor, float mu_l) {
-    return 0.31830989 * mu_l * factor;
-}
-
 // ---- self-test ---------------------------------------------------------------------------------------------------
 
 // Vector i; its shape is i % 3.
@@ -198,11 +135,6 @@ StratiformOrders stratiform_radiance_test_bottom(uint i) {
         case 7u: return StratiformOrders(0.00711155, 0.008349385, 0.53927404);
         default: return StratiformOrders(0.5697442, 0.50040984, 0.26874113);
     }
-}
-
-// 1 if value is off by more than 1e-4 (0.02 + |expected|), else 0.
-uint stratiform_radiance_wrong(float value, float expected) {
-    return (abs(value - expected) <= 1e-4 * (0.02 + abs(expected)) ? 0u : 1u);
 }
 
 // How many of the orders are wrong.

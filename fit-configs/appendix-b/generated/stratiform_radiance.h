@@ -2,12 +2,12 @@
 // Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.
 //
 // Program    stratiform 0.1.0
-// Inputs     e89616394915d19b2917f09535a9b91e
+// Inputs     008870ce127a849274c67345bb71b8a7
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
-// Use        stratiform_radiance.h: include it, in as many places as you like; C99 or C++11 and later; link with -lm; it wants stratiform.h, stratiform_phase.h beside it.
+// Use        stratiform_radiance.h: include it, in as many places as you like; C99 or C++11 and later; link with -lm; it wants stratiform.h, stratiform_weights.h, stratiform_phase.h beside it.
 // Check      stratiform_radiance_self_test() returns the number of wrong values: 0, each held to
 //            1e-4 (0.02 + |value|).
 // Unit       reflectance factor pi L / (mu_l F0) of the sun's light, F0 its irradiance normal to the beam.
@@ -26,6 +26,7 @@
 #include <stdint.h>
 
 #include "stratiform.h"
+#include "stratiform_weights.h"
 #include "stratiform_phase.h"
 
 // How light that was scattered three times or more leaves a face: evenly in direction as from a thin slab, evenly in
@@ -34,68 +35,12 @@ static const uint32_t STRATIFORM_ISOTROPIC = 0u;
 static const uint32_t STRATIFORM_LAMBERTIAN = 1u;
 static const uint32_t STRATIFORM_ESCAPE = 2u;
 
-// What a phase function's value is multiplied by: P_S / 4 by once, P_S convolved with itself / 8 by twice.
-typedef struct StratiformWeights {
-    float once;
-    float twice;
-} StratiformWeights;
-
-// The same of light that goes through a slab, and exp(-depth / mu_l), the share that comes straight through.
-typedef struct StratiformThrough {
-    float once;
-    float twice;
-    float straight;
-} StratiformThrough;
-
 // Reflectance factors pi L / (mu_l F0) of light that was scattered once, twice, and more often.
 typedef struct StratiformOrders {
     float one;
     float two;
     float three_plus;
 } StratiformOrders;
-
-// Where a vector of a self-test looks.
-typedef struct StratiformSight {
-    float mu_l;
-    float mu_v;
-    float v;
-    float tau;
-} StratiformSight;
-
-// ---- weights of one and two scatterings ------------------------------------------------------------------------
-
-// Light that leaves the lit face, after a way of optical length depth / mu_l + depth / mu_v at most.
-static inline StratiformWeights stratiform_weights_top(float mu_l, float mu_v, float tau) {
-    float sun = stratiform_leaning(mu_l);
-    float view = stratiform_leaning(mu_v);
-    float depth = STRATIFORM_KAPPA_S * tau;
-    StratiformBrackets b = stratiform_brackets(depth / sun + depth / view);
-    float share = 1.0f / (sun + view);
-    StratiformWeights result = {share * b.rise, share * b.once_each};
-    return result;
-}
-
-// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
-static inline StratiformThrough stratiform_through(float mu_l, float mu_v, float depth) {
-    float sun = stratiform_leaning(mu_l);
-    float view = stratiform_leaning(mu_v);
-    float shortest = depth / (sun > view ? sun : view);
-    // Nowhere 0: the mean over equal lengths is the limit of this one.
-    float apart = fabsf(sun - view) + 1e-9f * sun;
-    StratiformBrackets b = stratiform_brackets(depth * apart / sun / view);
-    float decay = expf(-shortest);
-    float share = decay / apart;
-    float straight = (sun > view ? decay : decay * b.decay);
-    StratiformThrough result = {share * b.rise, share * (shortest * b.rise + b.once_each), straight};
-    return result;
-}
-
-// Light that leaves the other face.
-static inline StratiformWeights stratiform_weights_bottom(float mu_l, float mu_v, float tau) {
-    StratiformThrough w = stratiform_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
-    StratiformWeights result = {w.once, w.twice};
-    return result;
-}
 
 // ---- orders ----------------------------------------------------------------------------------------------------
 
@@ -162,16 +107,6 @@ static inline float stratiform_radiance_bottom(float mu_l, float mu_v, float v, 
     return o.one + o.two + o.three_plus;
 }
 
-// Share of the light from behind that crosses the slab towards mu_v without an event.
-static inline float stratiform_transparency(float mu_v, float tau) {
-    return expf(-(tau / stratiform_leaning(mu_v)));
-}
-
-// L / F0 in 1/sr of a reflectance factor: times the sun's irradiance normal to its beam it is a radiance.
-static inline float stratiform_radiance_from_factor(float factor, float mu_l) {
-    return 0.31830989f * mu_l * factor;
-}
-
 // ---- self-test ---------------------------------------------------------------------------------------------------
 
 // Vector i; its shape is i % 3.
@@ -220,11 +155,6 @@ static inline StratiformOrders stratiform_radiance_test_bottom(uint32_t i) {
         {0.5697442f, 0.50040984f, 0.26874113f},
     };
     return values[i < 8u ? i : 8u];
-}
-
-// 1 if value is off by more than 1e-4 (0.02 + |expected|), else 0.
-static inline uint32_t stratiform_radiance_wrong(float value, float expected) {
-    return (fabsf(value - expected) <= 1e-4f * (0.02f + fabsf(expected)) ? 0u : 1u);
 }
 
 // How many of the orders are wrong.

@@ -2,12 +2,12 @@
 // Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.
 //
 // Program    stratiform 0.1.0
-// Inputs     e89616394915d19b2917f09535a9b91e
+// Inputs     008870ce127a849274c67345bb71b8a7
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
-// Use        stratiform_radiance.rs: make it a module of your crate; edition 2021 or later; it wants stratiform.rs, stratiform_phase.rs beside it.
+// Use        stratiform_radiance.rs: make it a module of your crate; edition 2021 or later; it wants stratiform.rs, stratiform_weights.rs, stratiform_phase.rs beside it.
 // Check      stratiform_radiance_self_test() returns the number of wrong values: 0, each held to
 //            1e-4 (0.02 + |value|).
 // Unit       reflectance factor pi L / (mu_l F0) of the sun's light, F0 its irradiance normal to the beam.
@@ -21,6 +21,7 @@
 #![allow(dead_code, missing_docs, clippy::excessive_precision, clippy::approx_constant)]
 
 use super::stratiform::*;
+use super::stratiform_weights::*;
 use super::stratiform_phase::*;
 
 /// How light that was scattered three times or more leaves a face: evenly in direction as from a thin slab, evenly in
@@ -29,68 +30,12 @@ pub const STRATIFORM_ISOTROPIC: u32 = 0;
 pub const STRATIFORM_LAMBERTIAN: u32 = 1;
 pub const STRATIFORM_ESCAPE: u32 = 2;
 
-/// What a phase function's value is multiplied by: P_S / 4 by once, P_S convolved with itself / 8 by twice.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StratiformWeights {
-    pub once: f32,
-    pub twice: f32,
-}
-
-/// The same of light that goes through a slab, and exp(-depth / mu_l), the share that comes straight through.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StratiformThrough {
-    pub once: f32,
-    pub twice: f32,
-    pub straight: f32,
-}
-
 /// Reflectance factors pi L / (mu_l F0) of light that was scattered once, twice, and more often.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StratiformOrders {
     pub one: f32,
     pub two: f32,
     pub three_plus: f32,
-}
-
-/// Where a vector of a self-test looks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StratiformSight {
-    pub mu_l: f32,
-    pub mu_v: f32,
-    pub v: f32,
-    pub tau: f32,
-}
-
-// ---- weights of one and two scatterings ------------------------------------------------------------------------
-
-/// Light that leaves the lit face, after a way of optical length depth / mu_l + depth / mu_v at most.
-pub fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
-    let sun: f32 = stratiform_leaning(mu_l);
-    let view: f32 = stratiform_leaning(mu_v);
-    let depth: f32 = STRATIFORM_KAPPA_S * tau;
-    let b: StratiformBrackets = stratiform_brackets(depth / sun + depth / view);
-    let share: f32 = 1.0 / (sun + view);
-    StratiformWeights { once: share * b.rise, twice: share * b.once_each }
-}
-
-/// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
-pub fn stratiform_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformThrough {
-    let sun: f32 = stratiform_leaning(mu_l);
-    let view: f32 = stratiform_leaning(mu_v);
-    let shortest: f32 = depth / (if sun > view { sun } else { view });
-    // Nowhere 0: the mean over equal lengths is the limit of this one.
-    let apart: f32 = (sun - view).abs() + 1e-9 * sun;
-    let b: StratiformBrackets = stratiform_brackets(depth * apart / sun / view);
-    let decay: f32 = (-shortest).exp();
-    let share: f32 = decay / apart;
-    let straight: f32 = if sun > view { decay } else { decay * b.decay };
-    StratiformThrough { once: share * b.rise, twice: share * (shortest * b.rise + b.once_each), straight }
-}
-
-/// Light that leaves the other face.
-pub fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
-    let w: StratiformThrough = stratiform_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
-    StratiformWeights { once: w.once, twice: w.twice }
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
@@ -154,16 +99,6 @@ pub fn stratiform_radiance_bottom(mu_l: f32, mu_v: f32, v: f32, tau: f32, shape:
     o.one + o.two + o.three_plus
 }
 
-/// Share of the light from behind that crosses the slab towards mu_v without an event.
-pub fn stratiform_transparency(mu_v: f32, tau: f32) -> f32 {
-    (-(tau / stratiform_leaning(mu_v))).exp()
-}
-
-/// L / F0 in 1/sr of a reflectance factor: times the sun's irradiance normal to its beam it is a radiance.
-pub fn stratiform_radiance_from_factor(factor: f32, mu_l: f32) -> f32 {
-    0.31830989 * mu_l * factor
-}
-
 // ---- self-test ---------------------------------------------------------------------------------------------------
 
 /// Vector i; its shape is i % 3.
@@ -209,11 +144,6 @@ pub fn stratiform_radiance_test_bottom(i: u32) -> StratiformOrders {
         7 => StratiformOrders { one: 0.00711155, two: 0.008349385, three_plus: 0.53927404 },
         _ => StratiformOrders { one: 0.5697442, two: 0.50040984, three_plus: 0.26874113 },
     }
-}
-
-/// 1 if value is off by more than 1e-4 (0.02 + |expected|), else 0.
-pub fn stratiform_radiance_wrong(value: f32, expected: f32) -> u32 {
-    if (value - expected).abs() <= 1e-4 * (0.02 + expected.abs()) { 0 } else { 1 }
 }
 
 /// How many of the orders are wrong.

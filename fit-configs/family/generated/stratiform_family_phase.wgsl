@@ -2,7 +2,7 @@
 // Phase functions of a cloud of any effective radius, looked up in a table.
 //
 // Program    stratiform 0.1.0
-// Inputs     6f673c37a9045371e6b41c301049e20a
+// Inputs     d00af396f415835628268313c77a00cc
 // Config     da4e6b4bee99acbd14c2fbfd83d1a129
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound

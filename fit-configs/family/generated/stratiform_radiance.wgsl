@@ -2,12 +2,12 @@
 // Radiance of a stratiform layer: the angular model of Bouthors et al. 2006, section 4, corrected.
 //
 // Program    stratiform 0.1.0
-// Inputs     6f673c37a9045371e6b41c301049e20a
+// Inputs     d00af396f415835628268313c77a00cc
 // Config     da4e6b4bee99acbd14c2fbfd83d1a129
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
 //
-// Use        stratiform_radiance.wgsl: paste it below stratiform.wgsl, stratiform_phase.wgsl.
+// Use        stratiform_radiance.wgsl: paste it below stratiform.wgsl, stratiform_weights.wgsl, stratiform_phase.wgsl.
 // Check      stratiform_radiance_self_test() returns the number of wrong values: 0, each held to
 //            1e-4 (0.02 + |value|).
 // Unit       reflectance factor pi L / (mu_l F0) of the sun's light, F0 its irradiance normal to the beam.
@@ -24,64 +24,11 @@ const STRATIFORM_ISOTROPIC: u32 = 0u;
 const STRATIFORM_LAMBERTIAN: u32 = 1u;
 const STRATIFORM_ESCAPE: u32 = 2u;
 
-// What a phase function's value is multiplied by: P_S / 4 by once, P_S convolved with itself / 8 by twice.
-struct StratiformWeights {
-    once: f32,
-    twice: f32,
-}
-
-// The same of light that goes through a slab, and exp(-depth / mu_l), the share that comes straight through.
-struct StratiformThrough {
-    once: f32,
-    twice: f32,
-    straight: f32,
-}
-
 // Reflectance factors pi L / (mu_l F0) of light that was scattered once, twice, and more often.
 struct StratiformOrders {
     one: f32,
     two: f32,
     three_plus: f32,
-}
-
-// Where a vector of a self-test looks.
-struct StratiformSight {
-    mu_l: f32,
-    mu_v: f32,
-    v: f32,
-    tau: f32,
-}
-
-// ---- weights of one and two scatterings ------------------------------------------------------------------------
-
-// Light that leaves the lit face, after a way of optical length depth / mu_l + depth / mu_v at most.
-fn stratiform_weights_top(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
-    let sun = stratiform_leaning(mu_l);
-    let view = stratiform_leaning(mu_v);
-    let depth = STRATIFORM_KAPPA_S * tau;
-    let b = stratiform_brackets(depth / sun + depth / view);
-    let share = 1.0 / (sun + view);
-    return StratiformWeights(share * b.rise, share * b.once_each);
-}
-
-// Light that goes through a slab of this optical thickness: ways between the lengths depth / mu_l and depth / mu_v.
-fn stratiform_through(mu_l: f32, mu_v: f32, depth: f32) -> StratiformThrough {
-    let sun = stratiform_leaning(mu_l);
-    let view = stratiform_leaning(mu_v);
-    let shortest = depth / select(view, sun, sun > view);
-    // Nowhere 0: the mean over equal lengths is the limit of this one.
-    let apart = abs(sun - view) + 1e-9 * sun;
-    let b = stratiform_brackets(depth * apart / sun / view);
-    let decay = exp(-shortest);
-    let share = decay / apart;
-    let straight = select(decay * b.decay, decay, sun > view);
-    return StratiformThrough(share * b.rise, share * (shortest * b.rise + b.once_each), straight);
-}
-
-// Light that leaves the other face.
-fn stratiform_weights_bottom(mu_l: f32, mu_v: f32, tau: f32) -> StratiformWeights {
-    let w = stratiform_through(mu_l, mu_v, STRATIFORM_KAPPA_S * tau);
-    return StratiformWeights(w.once, w.twice);
 }
 
 // ---- orders ----------------------------------------------------------------------------------------------------
@@ -147,16 +94,6 @@ fn stratiform_radiance_bottom(mu_l: f32, mu_v: f32, v: f32, tau: f32, shape: u32
     return o.one + o.two + o.three_plus;
 }
 
-// Share of the light from behind that crosses the slab towards mu_v without an event.
-fn stratiform_transparency(mu_v: f32, tau: f32) -> f32 {
-    return exp(-(tau / stratiform_leaning(mu_v)));
-}
-
-// L / F0 in 1/sr of a reflectance factor: times the sun's irradiance normal to its beam it is a radiance.
-fn stratiform_radiance_from_factor(factor: f32, mu_l: f32) -> f32 {
-    return 0.31830989 * mu_l * factor;
-}
-
 // ---- self-test ---------------------------------------------------------------------------------------------------
 
 // Vector i; its shape is i % 3.
@@ -202,11 +139,6 @@ fn stratiform_radiance_test_bottom(i: u32) -> StratiformOrders {
         case 7u: { return StratiformOrders(0.00711155, 0.008349385, 0.53927404); }
         default: { return StratiformOrders(0.5697442, 0.50040984, 0.26874113); }
     }
-}
-
-// 1 if value is off by more than 1e-4 (0.02 + |expected|), else 0.
-fn stratiform_radiance_wrong(value: f32, expected: f32) -> u32 {
-    return select(1u, 0u, abs(value - expected) <= 1e-4 * (0.02 + abs(expected)));
 }
 
 // How many of the orders are wrong.

@@ -55,7 +55,7 @@ pub static RADIANCE: Library = Library {
     hlsl: include_str!("drivers/radiance/driver.hlsl"),
     wgsl: include_str!("drivers/radiance/driver.wgsl"),
     sizes: [5, 11],
-    needs: &["stratiform", "stratiform_phase", "stratiform_radiance"],
+    needs: &["stratiform", "stratiform_weights", "stratiform_phase", "stratiform_radiance"],
 };
 
 /// Fluxes over effective radius: (μ_l, r_e, τ), μ_l = -1 for diffuse light, to nine fluxes.
@@ -69,6 +69,32 @@ pub static FAMILY: Library = Library {
     wgsl: include_str!("drivers/family/driver.wgsl"),
     sizes: [3, 9],
     needs: &["stratiform"],
+};
+
+/// Fitted radiance: (mu_l, mu_v, v, tau) to I1, M and their sum at the lit face and at the other.
+pub static SHADE: Library = Library {
+    name: "stratiform_shade",
+    c: include_str!("drivers/shade/driver.c"),
+    rust: include_str!("drivers/shade/driver.rs"),
+    glsl: include_str!("drivers/shade/driver.glsl"),
+    fragment: include_str!("drivers/shade/fragment.glsl"),
+    hlsl: include_str!("drivers/shade/driver.hlsl"),
+    wgsl: include_str!("drivers/shade/driver.wgsl"),
+    sizes: [4, 6],
+    needs: &["stratiform", "stratiform_weights", "stratiform_phase"],
+};
+
+/// Phase functions over effective radius: (v, r_e) to P, P_S and P_S convolved with itself.
+pub static FAMILY_PHASE: Library = Library {
+    name: "stratiform_family_phase",
+    c: include_str!("drivers/family_phase/driver.c"),
+    rust: include_str!("drivers/family_phase/driver.rs"),
+    glsl: include_str!("drivers/family_phase/driver.glsl"),
+    fragment: include_str!("drivers/family_phase/fragment.glsl"),
+    hlsl: include_str!("drivers/family_phase/driver.hlsl"),
+    wgsl: include_str!("drivers/family_phase/driver.wgsl"),
+    sizes: [2, 3],
+    needs: &["stratiform_phase"],
 };
 
 /// A library and what its driver is run on.

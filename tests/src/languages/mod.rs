@@ -20,7 +20,7 @@ use library::Library;
 use std::fs;
 use std::path::PathBuf;
 use stratiform_artifact::read_csv;
-use stratiform_codegen::{HaloTable, RadianceVector, SelfTest};
+use stratiform_codegen::{HaloTable, RadianceVector, SelfTest, ShadeVector};
 use stratiform_quantities::Incidence;
 
 /// A folder of emitted files.
@@ -111,6 +111,15 @@ impl Emitted {
     #[expect(clippy::expect_used, reason = "for tests only")]
     pub fn radiance_vectors(&self) -> Vec<RadianceVector> {
         read_csv(&self.folder.join("radiance_test.csv")).expect("the radiance's vectors")
+    }
+
+    /// The same for the fitted model of radiance.
+    ///
+    /// # Panics
+    /// If they cannot be read: a test then fails.
+    #[expect(clippy::expect_used, reason = "for tests only")]
+    pub fn shade_vectors(&self) -> Vec<ShadeVector> {
+        read_csv(&self.folder.join("shade_test.csv")).expect("the radiance's vectors")
     }
 
     /// Names and texts of the files that stand above those of `library` with this `ending`.

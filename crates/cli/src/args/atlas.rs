@@ -6,7 +6,7 @@ use std::path::PathBuf;
 /// `stratiform atlas`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Examples:\n  stratiform atlas --out out/atlas\n  stratiform atlas --methods better,bouthors-corrected --quick --json\nEvery \
+    after_help = "Examples:\n  stratiform atlas --out out/atlas\n  stratiform atlas --methods fitted,bouthors-corrected --quick --json\nEvery \
                   value is ok, without a promise, refused, or one of: loses-digits (f32), over-bound, above-one, negative, not-finite, \
                   not-refused. Writes atlas.csv, summary.csv, atlas.json, one SVG per method and atlas.html. The same bytes on every run. \
                   Exit 1 if a method breaks its contract."

@@ -23,7 +23,7 @@ const TURNED: [&str; 9] = [
     "octaves",
     "bouthors-corrected",
     "bouthors-family",
-    "better",
+    "fitted",
     "orders",
     "solver",
     "monte-carlo",

@@ -2,7 +2,7 @@
 //!
 //! `reproduce` writes such a folder under its own; a copy of it, once looked at, is what is committed as accepted.
 
-use super::{family, input_error, provenance};
+use super::{family, input_error, provenance, radiance};
 use crate::CliError;
 use crate::config::Config;
 use std::path::Path;
@@ -29,6 +29,10 @@ pub fn read(folder: &Path) -> Result<Inputs, CliError> {
             squared: read_csv(&folder.join(FILES[3]))?,
         },
         halo: Some(folder.join(HALO))
+            .filter(|path| path.exists())
+            .map(|path| read_json(&path))
+            .transpose()?,
+        radiance: Some(folder.join(radiance::FILE))
             .filter(|path| path.exists())
             .map(|path| read_json(&path))
             .transpose()?,
@@ -72,12 +76,34 @@ pub fn emitted(config: &Config, inputs: &Inputs, folder: &Path) -> Result<Files,
     }
 }
 
+/// That the coefficients of radiance among `inputs`, if any, were made from the optics and the radiance settings of `config`.
+fn check_radiance(config: &Config, inputs: &Inputs, folder: &Path) -> Result<(), CliError> {
+    let Some(document) = &inputs.radiance else { return Ok(()) };
+    let file = folder.join(radiance::FILE);
+    let expected =
+        config.radiance.as_ref().map(|settings| radiance::provenance(config, settings).config_hash);
+    match expected {
+        Some(expected) if expected == document.provenance.config_hash => Ok(()),
+        Some(expected) => Err(CliError::Failed(format!(
+            "{}: the accepted radiance model is of another config (hash {}, this one's optics and [radiance] have {expected}): \
+             reproduce it",
+            file.display(),
+            document.provenance.config_hash
+        ))),
+        None => Err(CliError::Failed(format!(
+            "{}: the config has no [radiance], whose result this is: delete the file",
+            file.display()
+        ))),
+    }
+}
+
 /// Reads `folder` if what is in it was made from `config`.
 ///
 /// # Errors
-/// As [`read`]; [`CliError::Failed`] if it was made from another config's optics, transport or fit.
+/// As [`read`]; [`CliError::Failed`] if it was made from another config's optics, transport, fit or radiance model.
 pub fn read_for(config: &Config, folder: &Path) -> Result<Inputs, CliError> {
     let inputs = read(folder)?;
+    check_radiance(config, &inputs, folder)?;
     if !belong(&inputs.parameters, config) {
         let (found, expected) = (&inputs.parameters.provenance.config_hash, provenance(config).config_hash);
         return Err(CliError::Failed(format!(

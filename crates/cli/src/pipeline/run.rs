@@ -117,7 +117,8 @@ impl Chain<'_> {
     ) -> Result<(), CliError> {
         let Self { config, cloud, provenance, talk } = *self;
         let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
-        let inputs = (&before, work.hash_of_stage("family"), &config.codegen.targets);
+        let beside = ["family", "radiance"].map(|stage| work.hash_of_stage(stage));
+        let inputs = (&before, beside, &config.codegen.targets);
         work.stage("codegen", &inputs, |dir| codegen(config, parameters, cloud, dir))?;
         self.agreement(work, parameters)?;
         self.ladder(work, parameters)?;
@@ -230,6 +231,7 @@ fn codegen(
         parameters: parameters.clone(),
         phase: PhaseTables { full: rows(&cloud.phase), modified: rows(&modified), squared: rows(&squared) },
         halo: halo::table(&cloud.phase, theta_f)?,
+        radiance: config.radiance.iter().map(|_| read_json(&dir.join(radiance::FILE))).next().transpose()?,
         reference: read_csv(&dir.join("reference.csv"))?,
     };
     let folder = dir.join("accepted");

@@ -49,7 +49,7 @@ fn stratiform_halo_several(mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
     return 0.5 * weight * stratiform_halo_shape(v, q) / (sun + view);
 }
 
-// Reflectance factor of all light that met forward events only: what stratiform_radiance_bottom leaves out around the
+// Reflectance factor of all light that met forward events only: what the libraries of radiance leave out around the
 // sun. There is none at the lit face.
 fn stratiform_halo(mu_l: f32, mu_v: f32, v: f32, tau: f32) -> f32 {
     return stratiform_halo_once(mu_l, mu_v, v, tau) + stratiform_halo_several(mu_l, mu_v, v, tau);

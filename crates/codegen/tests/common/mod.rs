@@ -1,11 +1,13 @@
 //! The published Appendix B as inputs of generation, with a Henyey–Greenstein function for the cloud's.
 
 use stratiform_artifact::{
-    FittedParameter, MediumRecord, ParameterRow, ParameterTable, ParametersDocument, Provenance, RowIncidence,
+    FittedParameter, MediumRecord, ParameterRow, ParameterTable, ParametersDocument, Provenance,
+    RadianceFace, RadianceParametersDocument, RowIncidence,
 };
 use stratiform_codegen::{HaloTable, Inputs, PhaseRow, PhaseTables};
+use stratiform_model::radiance::{EXPONENTS, POWERS, TERMS};
 use stratiform_optics::phase::{HenyeyGreenstein, PhaseFunction};
-use stratiform_quantities::{Asymmetry, ExtinctionConvention};
+use stratiform_quantities::{Asymmetry, ExtinctionConvention, Side};
 use stratiform_stats::Estimate;
 
 /// N0 π r_e² of the paper's cloud, 1/m.
@@ -73,21 +75,41 @@ fn phase(g: f64) -> Vec<PhaseRow> {
     (0..=1800).map(row).collect()
 }
 
+fn medium() -> MediumRecord {
+    MediumRecord {
+        wavelength_um: 0.55,
+        extinction_convention: ExtinctionConvention::Paper,
+        extinction_per_m: KAPPA,
+        single_scattering_albedo: 1.0,
+        asymmetry: 0.853,
+        theta_f_deg: 5.0,
+        forward_fraction: FORWARD_FRACTION,
+    }
+}
+
+/// Some coefficients.
+fn radiance() -> RadianceParametersDocument {
+    let estimate = |j: usize, k: usize| Estimate { value: 0.1 * (j as f64 - 0.3 * k as f64), std_error: 0.0 };
+    let rows = (0..POWERS).map(|j| (0..TERMS).map(|k| estimate(j, k)).collect());
+    let coefficients: Vec<Vec<_>> = rows.collect();
+    let face = |side| RadianceFace { side, coefficients: coefficients.clone(), relative_std_error: 0.0 };
+    RadianceParametersDocument {
+        schema: RadianceParametersDocument::SCHEMA.to_owned(),
+        provenance: Provenance::new("invented".to_owned(), None, "invented"),
+        medium: medium(),
+        exponents: EXPONENTS.to_vec(),
+        faces: Side::BOTH.map(face).to_vec(),
+        misfit: Vec::new(),
+    }
+}
+
 /// Inputs of generation.
 pub fn inputs() -> Inputs {
     Inputs {
         parameters: ParametersDocument {
             schema: ParametersDocument::SCHEMA.to_owned(),
             provenance: Provenance::new("published".to_owned(), None, "published Appendix B"),
-            medium: MediumRecord {
-                wavelength_um: 0.55,
-                extinction_convention: ExtinctionConvention::Paper,
-                extinction_per_m: KAPPA,
-                single_scattering_albedo: 1.0,
-                asymmetry: 0.853,
-                theta_f_deg: 5.0,
-                forward_fraction: FORWARD_FRACTION,
-            },
+            medium: medium(),
             thickness_range_m: [1.0, 1000.0],
             metres: table(1.0),
             optical: table(1.0 / KAPPA),
@@ -99,6 +121,7 @@ pub fn inputs() -> Inputs {
             angles: 8,
             values: (0..32).map(|i| 900.0 / f64::from(1 + i % 8)).collect(),
         }),
+        radiance: Some(radiance()),
         reference: Vec::new(),
     }
 }

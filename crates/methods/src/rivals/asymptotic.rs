@@ -76,7 +76,7 @@ pub(crate) fn method() -> Simple {
             ..Domain::EVERYWHERE
         },
         promises: Promises {
-            radiance: Some(Promise::relative(0.2, region([10.0, 1e6], 0.3))),
+            radiance: Some(Promise::relative(0.3, region([10.0, 1e6], 0.3))),
             flux: Some(Promise::absolute(0.05, region([10.0, 1e6], 0.3))),
         },
         radiance: true,

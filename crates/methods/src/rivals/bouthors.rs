@@ -23,7 +23,7 @@ mod tables;
 
 pub(crate) use tables::Table;
 
-use crate::halo::HaloTexels;
+use crate::halo::{HaloTexels, of_cloud};
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
 use crate::scalar::Scalar;
 use crate::shade::{InSingle, Shade, Shaded};
@@ -33,7 +33,6 @@ use stratiform_model::angular::halo::{Halo, Peak};
 use stratiform_model::angular::{Angular, Emission, PhaseLookup, Sight, as_printed};
 use stratiform_model::table::ParameterGrid;
 use stratiform_model::{Fluxes, Form, Thickness};
-use stratiform_optics::phase::versine;
 use stratiform_quantities::{Range, Side};
 use tables::{KAPPA_PER_M, damaged};
 
@@ -120,14 +119,8 @@ fn prepare<F: Scalar, P>(
     let (angles, unit) = table.angles(cloud, kept)?;
     let grid = ParameterGrid::new(&angles).map_err(|e| damaged(&e))?;
     let (unit, kappa_s, kappa_s_per_m) = (F::of(unit), F::of(kept), F::of(kappa_s_per_m));
-    let halo = if reading == Reading::WithHalo { Some(halo(cloud)?) } else { None };
+    let halo = if reading == Reading::WithHalo { Some(of_cloud(cloud)?) } else { None };
     Ok(Bouthors { grid, unit, kappa_s, kappa_s_per_m, reading, phase, halo })
-}
-
-fn halo<F: Scalar>(cloud: &Cloud) -> Result<(Peak<F>, HaloTexels<F>), MethodError> {
-    let edge = F::of(versine(cloud.theta_f_deg().to_radians()));
-    let peak = Peak { forward_fraction: F::of(cloud.forward_fraction()), edge };
-    Ok((peak, HaloTexels::new(cloud)?))
 }
 
 /// Where both the table and the forms hold.
@@ -145,9 +138,10 @@ fn domain(table: Table) -> Domain {
     }
 }
 
-/// Fluxes with the refitted table, where it was fitted; the published one is off by 0.1 at low sun, and the printed forms more.
+/// Fluxes with the refitted table, where it was fitted, but for the lowest sun; the published one is off by 0.1 at low sun, and the printed forms more.
 fn promise(table: Table, reading: Reading) -> Option<Promise> {
-    let fitted = Domain { tau: Range::closed(0.047, 46.0), ..domain(table) };
+    let fitted =
+        Domain { tau: Range::closed(0.047, 46.0), mu_l: Range::closed(0.1737, 1.0), ..domain(table) };
     (table == Table::Refitted && reading != Reading::Printed).then(|| Promise::absolute(0.05, fitted))
 }
 

@@ -2,8 +2,8 @@
 
 pub(crate) mod asymptotic;
 pub(crate) mod beer_powder;
-pub(crate) mod better;
 pub(crate) mod bouthors;
+pub(crate) mod fitted;
 pub(crate) mod monte_carlo;
 pub(crate) mod multiple_forward;
 pub(crate) mod octaves;

@@ -54,13 +54,13 @@ impl Ready for Streams {
         let solved = solved.map_err(|error| self.card.failed(&error))?;
         let pair = |(tau, sun): &(usize, usize)| {
             let (r, t) = solved[sun * grid.tau.len() + tau];
-            FluxPair { reflectance: exact(r), transmittance: exact(t) }
+            FluxPair { reflectance: trimmed(exact(r)), transmittance: trimmed(exact(t)) }
         };
         Ok(grid.places.iter().map(pair).collect())
     }
 }
 
-/// Deep in absorbing slabs light is below the rounding of the sums that it is made of, and may come out negative: 0 then.
+/// Behind absorbing slabs light is below the rounding of the sums that it is made of, and may come out negative: 0 then.
 fn trimmed(estimate: Estimate) -> Estimate {
     if (-ROUNDING..0.0).contains(&estimate.value) { Estimate { value: 0.0, ..estimate } } else { estimate }
 }

@@ -146,6 +146,7 @@ fn card(closure: Closure) -> Card {
             "Stam 1995, Multiple scattering as a diffusion process; reduced extinction",
         ),
     };
+    let bound = if closure == Closure::Diffusion { 0.2 } else { 0.1 };
     let lowest = if closure == Closure::Quadrature { 0.0 } else { 0.8 };
     Card {
         name: name.to_owned(),
@@ -153,7 +154,7 @@ fn card(closure: Closure) -> Card {
         source,
         class: Class::Diffusion,
         domain: Domain { omega: Range::closed(lowest, 1.0), ..Domain::EVERYWHERE },
-        promises: Promises { radiance: None, flux: Some(Promise::absolute(0.1, region([0.0, 1e6], 0.2))) },
+        promises: Promises { radiance: None, flux: Some(Promise::absolute(bound, region([0.0, 1e6], 0.2))) },
         radiance: true,
         flux: true,
         table_bytes: Some(0),

@@ -28,6 +28,7 @@ pub fn build(dir: &Path) -> Result<ChartSummary, ReportError> {
     let inputs = Inputs::read(dir)?;
     let mut figures: Vec<Figure> =
         inputs.manifest.scenes.iter().map(|one| scene::figure(one, &inputs.rows)).collect();
+    figures.extend(inputs.manifest.scenes.iter().filter_map(|one| scene::shaders(one, &inputs.rows)));
     figures.extend(knobs::figures(&inputs.knobs));
     let text = page::render(&inputs, &figures)?;
     create_folder(dir)?;

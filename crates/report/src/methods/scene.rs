@@ -53,6 +53,21 @@ pub fn figure(scene: &ChartScene, rows: &[ChartRow]) -> Figure {
     }
 }
 
+/// The radiances of shader code alone, with room for names.
+pub fn shaders(scene: &ChartScene, rows: &[ChartRow]) -> Option<Figure> {
+    let shaders: Vec<ChartRow> = rows
+        .iter()
+        .filter(|row| row.cost == "f32" && row.quantity.starts_with("radiance"))
+        .cloned()
+        .collect();
+    let drawn = figure(scene, &shaders);
+    (!drawn.rows.is_empty()).then(|| Figure {
+        name: format!("shaders-{}", scene.name),
+        title: format!("{}: methods for shaders", scene.title),
+        ..drawn
+    })
+}
+
 /// Radiances, which most methods give, have a row each; fluxes share one.
 fn layout(panels: Vec<(bool, Panel)>) -> Vec<Row> {
     let (radiances, fluxes): (Vec<_>, Vec<_>) = panels.into_iter().partition(|(radiance, _)| *radiance);
@@ -79,15 +94,16 @@ fn panel(title: &str, rows: &[&ChartRow]) -> Panel {
         .iter()
         .filter_map(|row| Some((*row, row.ns_per_evaluation?, row.median?.max(SMALLEST))))
         .collect();
-    let mut front: Vec<Point> =
+    let mut line: Vec<Point> =
         placed.iter().filter(|(row, ..)| row.pareto).map(|(_, ns, error)| Point::new(*ns, *error)).collect();
-    front.sort_by(|a, b| a.x.total_cmp(&b.x));
-    let mut series = vec![Series { style: FRONT, points: front }];
+    line.sort_by(|a, b| a.x.total_cmp(&b.x));
+    let mut series = vec![Series { style: FRONT, points: line }];
     for (class, _, colour, marker) in CLASSES {
         let points = placed.iter().filter(|(row, ..)| row.class == class);
         let points = points.map(|(_, ns, error)| Point::new(*ns, *error)).collect();
         series.push(Series { style: Style::points(colour, marker), points });
     }
+    let (front, others): (Vec<_>, Vec<_>) = placed.iter().partition(|(row, ..)| row.pareto);
     let mark = |(row, ns, error): &(&ChartRow, f64, f64)| {
         let refusals = if row.refused > 0 { "*" } else { "" };
         Mark { x: *ns, y: Some(*error), label: format!("{}{refusals}", row.method) }
@@ -96,7 +112,8 @@ fn panel(title: &str, rows: &[&ChartRow]) -> Panel {
         title: title.to_owned(),
         x: Axis::new("time of one evaluation (ns)", logarithmic(placed.iter().map(|p| p.1))),
         y: Axis::new("median relative error (1)", logarithmic(placed.iter().map(|p| p.2))),
-        marks: placed.iter().map(mark).collect(),
+        // Names on the front get the best places.
+        marks: front.into_iter().chain(others).map(mark).collect(),
         series,
     }
 }

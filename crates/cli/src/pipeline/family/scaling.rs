@@ -23,8 +23,11 @@ use crate::config::Config;
 use crate::pipeline::optics::optics_error;
 use stratiform_artifact::FamilyErrorRow;
 
-/// The thicknesses tried: name, and the factor of τ.
-const VARIABLES: [(&str, fn(&Computed) -> f64); 4] = [
+/// A thickness: its name, and the factor of τ.
+type Variable = (&'static str, fn(&Computed) -> f64);
+
+/// The thicknesses tried.
+const VARIABLES: [Variable; 4] = [
     ("tau", |_| 1.0),
     ("(1-P_f) tau", scattering),
     ("(1-g) tau", |one| 1.0 - one.parameters.medium.asymmetry),

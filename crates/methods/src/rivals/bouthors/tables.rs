@@ -101,7 +101,9 @@ pub(super) fn of_family(radius_um: f64) -> Result<Vec<Angle>, MethodError> {
     let family = ParameterFamily::<f64>::new(coordinate, &members).map_err(|e| damaged(&e))?;
     let row = |angle: &Angle| {
         let there = family.at(cos_degrees(angle.theta_l_deg), radius_um).map_err(|e| damaged(&e))?;
-        Ok(Angle { theta_l_deg: angle.theta_l_deg, values: *there.values() })
+        // r of two members that are both 1 comes back rounded.
+        let values = Values { r: there.values().r.min(1.0), ..*there.values() };
+        Ok(Angle { theta_l_deg: angle.theta_l_deg, values })
     };
     members[0].angles.iter().map(row).collect()
 }
@@ -109,6 +111,7 @@ pub(super) fn of_family(radius_um: f64) -> Result<Vec<Angle>, MethodError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stratiform_model::table::ParameterGrid;
 
     #[test]
     fn the_built_in_tables_are_the_committed_ones() {
@@ -128,6 +131,9 @@ mod tests {
         let [small, between, large] =
             [10.0, 12.0, 14.0].map(|radius| of_family(radius).unwrap()[3].values.kappa_s);
         assert!((small - between) * (between - large) > 0.0, "{small} {between} {large}");
+        for radius in (0..=40).map(|i| 4.0 + 0.4 * f64::from(i)).filter(|radius| *radius <= 20.0) {
+            ParameterGrid::<f64>::new(&of_family(radius).unwrap()).unwrap();
+        }
         for radius in [3.99, 20.01, f64::NAN] {
             assert!(matches!(of_family(radius), Err(MethodError::Domain(_))), "{radius}");
         }

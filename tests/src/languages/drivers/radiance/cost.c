@@ -3,12 +3,18 @@
 #include <stdio.h>
 #include <time.h>
 #include "stratiform_halo.h"
+#include "stratiform_radiance.h"
+#include "stratiform_shade.h"
 
 enum { SIGHTS = 2048, WARM = 50, REPEATS = 401 };
 
 /* Some functions take the shape of the light that was scattered often. */
 #define stratiform_radiance_top(...) (stratiform_radiance_top)(__VA_ARGS__, STRATIFORM_LAMBERTIAN)
 #define stratiform_radiance_bottom(...) (stratiform_radiance_bottom)(__VA_ARGS__, STRATIFORM_ESCAPE)
+
+/* Here all sights share a thickness, so that its factors are computed once. */
+#define stratiform_shade_top_with(mu_l, mu_v, v, tau) \
+    (stratiform_shade_top_with)(stratiform_shade_of_top(5.0f * STRATIFORM_SIMILARITY), mu_l, mu_v, v, 5.0f)
 
 static double nanoseconds(void) {
     struct timespec now;

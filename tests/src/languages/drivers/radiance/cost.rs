@@ -6,6 +6,8 @@ mod stratiform;
 mod stratiform_halo;
 mod stratiform_phase;
 mod stratiform_radiance;
+mod stratiform_shade;
+mod stratiform_weights;
 
 use std::hint::black_box;
 use std::io::Read;
@@ -27,6 +29,23 @@ fn function(s: &[f32; 4]) -> f32 {
 #[cfg(cost_function = "stratiform_halo")]
 fn function(s: &[f32; 4]) -> f32 {
     stratiform_halo::stratiform_halo(s[0], s[1], s[2], s[3])
+}
+
+#[cfg(cost_function = "stratiform_shade_top")]
+fn function(s: &[f32; 4]) -> f32 {
+    stratiform_shade::stratiform_shade_top(s[0], s[1], s[2], s[3])
+}
+
+#[cfg(cost_function = "stratiform_shade_bottom")]
+fn function(s: &[f32; 4]) -> f32 {
+    stratiform_shade::stratiform_shade_bottom(s[0], s[1], s[2], s[3])
+}
+
+// All sights share a thickness, so that its factors are computed once.
+#[cfg(cost_function = "stratiform_shade_top_with")]
+fn function(s: &[f32; 4]) -> f32 {
+    let k = stratiform_shade::stratiform_shade_of_top(5.0 * stratiform_shade::STRATIFORM_SIMILARITY);
+    stratiform_shade::stratiform_shade_top_with(k, s[0], s[1], s[2], 5.0)
 }
 
 fn main() -> std::io::Result<()> {

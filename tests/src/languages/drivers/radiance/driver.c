@@ -3,9 +3,11 @@
 #include <stdio.h>
 
 #ifdef STRATIFORM_TEST_METAL
+#include "stratiform_radiance.metal"
 #define RADIANCE(function) radiance.function
 #define HALO(function) halo.function
 #else
+#include "stratiform_radiance.h"
 #define RADIANCE(function) function
 #define HALO(function) function
 #endif
@@ -17,7 +19,7 @@ int main(void) {
     static float shape[STRATIFORM_HALO_COLUMNS * STRATIFORM_HALO_ROWS];
     const StratiformPhase phase = {table};
     const StratiformRadiance radiance = {phase};
-    const StratiformHalo halo = {phase, radiance, shape};
+    const StratiformHalo halo = {phase, shape};
     if (fread(table, sizeof table, 1, stdin) != 1 || fread(shape, sizeof shape, 1, stdin) != 1) {
         return 1;
     }
@@ -32,7 +34,7 @@ int main(void) {
             top.one, top.two, top.three_plus, bottom.one, bottom.two, bottom.three_plus,
             RADIANCE(stratiform_radiance_top)(s[0], s[1], s[2], s[3], shape),
             RADIANCE(stratiform_radiance_bottom)(s[0], s[1], s[2], s[3], shape),
-            RADIANCE(stratiform_transparency)(s[1], s[3]), RADIANCE(stratiform_radiance_from_factor)(1.0f, s[0]),
+            stratiform_transparency(s[1], s[3]), stratiform_radiance_from_factor(1.0f, s[0]),
             HALO(stratiform_halo)(s[0], s[1], s[2], s[3])
         };
         fwrite(values, sizeof values, 1, stdout);

@@ -6,10 +6,12 @@ mod stratiform;
 mod stratiform_halo;
 mod stratiform_phase;
 mod stratiform_radiance;
+mod stratiform_weights;
 
 use std::io::{Read, Write};
 use stratiform_halo as halo;
 use stratiform_radiance as radiance;
+use stratiform_weights as weights;
 
 fn main() -> std::io::Result<()> {
     let mut input = Vec::new();
@@ -24,8 +26,8 @@ fn main() -> std::io::Result<()> {
         output.extend([
             radiance::stratiform_radiance_top(mu_l, mu_v, v, tau, shape),
             radiance::stratiform_radiance_bottom(mu_l, mu_v, v, tau, shape),
-            radiance::stratiform_transparency(mu_v, tau),
-            radiance::stratiform_radiance_from_factor(1.0, mu_l),
+            weights::stratiform_transparency(mu_v, tau),
+            weights::stratiform_radiance_from_factor(1.0, mu_l),
             halo::stratiform_halo(mu_l, mu_v, v, tau),
         ]);
     }

@@ -15,7 +15,7 @@ use stratiform_quantities::Range;
 use stratiform_stats::Estimate;
 
 static PHASES: LazyLock<Phases> = LazyLock::new(|| {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../fit-configs/appendix-b/accepted/phase_full.csv");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/appendix-b/accepted/phase_full.csv");
     Phases::one(BASE_RADIUS_UM, PhaseTable::read(path.as_ref(), Norm::Strict).unwrap())
 });
 

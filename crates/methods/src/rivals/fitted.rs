@@ -1,9 +1,11 @@
 //! Single scattering exactly, everything beyond it as one fitted exponential.
 //!
 //! `stratiform_model::radiance`: I = I1 + D exp(Σ c_k(u) B_k), coefficients as accepted, g, P_f and P_S of the cloud. No fluxes.
-//! Domain: ω = 1 and r_e from 4 to 20 µm, the clouds of the fit; every thickness and direction, of which τ from 0.1 to 300 and
-//! θ up to 85° were fitted. Light that met forward events only is left out. Hufnagel & Held's class: mixed (4.1.6).
+//! Domain: ω = 1 and r_e from 4 to 20 µm, fitted at 7 µm and held against the others; every thickness and direction, of which τ from
+//! 0.1 to 300 and θ up to 85° were fitted. `fitted` leaves out light that met forward events only, `fitted-halo` adds it
+//! (`model::angular::halo`). Hufnagel & Held's class: mixed (4.1.6).
 
+use crate::halo::{HaloTexels, of_cloud};
 use crate::lookup::{EMITTED_TEXELS, Exact, Texels};
 use crate::promise::region;
 use crate::scalar::Scalar;
@@ -11,20 +13,25 @@ use crate::shade::{InSingle, Shade, Shaded};
 use crate::simple::Simple;
 use crate::{Card, Class, Cloud, Domain, MethodError, Promise, Promises};
 use stratiform_artifact::{RadianceFace, RadianceParametersDocument};
-use stratiform_model::angular::{PhaseLookup, Sight};
+use stratiform_model::angular::halo::{Halo, Peak};
+use stratiform_model::angular::{Angular, PhaseLookup, Sight};
 use stratiform_model::radiance::{Coefficients, POWERS, Slab, TERMS};
 use stratiform_quantities::{Range, Side};
 
 const ACCEPTED: &str = include_str!("../../../../fit-configs/appendix-b/accepted/radiance_parameters.json");
 
-struct Better<F, P> {
+struct Fitted<F, P> {
     coefficients: Coefficients<F>,
     phase: P,
+    halo: Option<(Peak<F>, HaloTexels<F>)>,
 }
 
-impl<F: Scalar, P: PhaseLookup<F> + Send + Sync> Shade<F> for Better<F, P> {
+impl<F: Scalar, P: PhaseLookup<F> + Send + Sync> Shade<F> for Fitted<F, P> {
     fn radiance(&self, tau: F, sight: &Sight<F>) -> F {
-        Slab::unchecked(&self.coefficients, tau, *sight).radiance(&self.phase)
+        let scattered = Slab::unchecked(&self.coefficients, tau, *sight).radiance(&self.phase);
+        let Some((peak, shape)) = &self.halo else { return scattered };
+        let slab = Angular::unchecked(self.coefficients.kept * tau, *sight);
+        scattered + Halo::new(&slab, tau, *peak).total(&self.phase, shape)
     }
 
     fn fluxes(&self, _tau: F, _mu_l: F) -> (F, F) {
@@ -33,7 +40,7 @@ impl<F: Scalar, P: PhaseLookup<F> + Send + Sync> Shade<F> for Better<F, P> {
 }
 
 fn damaged(reason: &str) -> MethodError {
-    MethodError::Failed { method: "better".to_owned(), reason: format!("built-in coefficients: {reason}") }
+    MethodError::Failed { method: "fitted".to_owned(), reason: format!("built-in coefficients: {reason}") }
 }
 
 /// a_kj of a face.
@@ -61,13 +68,14 @@ fn promise() -> Promise {
     Promise::relative(0.25, region([1e-3, 1e4], 0.1736)).outside_aureole(6.0)
 }
 
-/// With the accepted coefficients. The phase function is exact in double precision and on [`EMITTED_TEXELS`] in single; with `texels`,
-/// on that many in both.
-pub(crate) fn method(texels: Option<usize>) -> Simple {
+/// With the accepted coefficients, with or without the halo. The phase function is exact in double precision and on
+/// [`EMITTED_TEXELS`] in single; with `texels`, on that many in both.
+pub(crate) fn method((stem, texels): (&str, Option<usize>), title: &'static str, with_halo: bool) -> Simple {
     let count = texels.unwrap_or(EMITTED_TEXELS);
+    let halo_bytes = if with_halo { HaloTexels::<f32>::bytes() } else { 0 };
     let card = Card {
-        name: texels.map_or("better".to_owned(), |texels| format!("better:{texels}")),
-        title: "Single scattering and a fitted rest",
+        name: texels.map_or(stem.to_owned(), |texels| format!("{stem}:{texels}")),
+        title,
         source: "This project: stratiform_model::radiance, after Nakajima & Tanaka 1988 and van de Hulst 1980",
         class: Class::Mixed,
         domain: Domain {
@@ -78,17 +86,21 @@ pub(crate) fn method(texels: Option<usize>) -> Simple {
         promises: Promises { radiance: texels.is_none().then(promise), flux: None },
         radiance: true,
         flux: false,
-        table_bytes: Some(4 * count + 2 * 4 * TERMS * POWERS),
+        table_bytes: Some(4 * count + 2 * 4 * TERMS * POWERS + halo_bytes),
     };
     Simple::new(card, move |card, cloud| {
         let (card, coefficients) = (card.clone(), coefficients(cloud)?);
-        let phase = Texels::<f32>::once(cloud, count)?;
-        let single = InSingle(Better { coefficients: coefficients.cast::<f32>(), phase });
+        let single = InSingle(Fitted {
+            coefficients: coefficients.cast::<f32>(),
+            phase: Texels::<f32>::once(cloud, count)?,
+            halo: if with_halo { Some(of_cloud(cloud)?) } else { None },
+        });
+        let halo = if with_halo { Some(of_cloud(cloud)?) } else { None };
         Ok(if texels.is_some() {
             let phase = Texels::<f64>::once(cloud, count)?;
-            Box::new(Shaded { card, double: Better { coefficients, phase }, single })
+            Box::new(Shaded { card, double: Fitted { coefficients, phase, halo }, single })
         } else {
-            let double = Better { coefficients, phase: Exact::once(cloud) };
+            let double = Fitted { coefficients, phase: Exact::once(cloud), halo };
             Box::new(Shaded { card, double, single })
         })
     })
