@@ -126,9 +126,17 @@ pub fn advise(
         parameter_radii_um,
         theta_l_nodes_deg: if fitted { extent::suns(data, scene, tau, allowed) } else { Vec::new() },
         bounce,
-        notes: data.notes(scene, &unseen),
+        notes: data.notes(scene, &unseen).into_iter().chain(halo_note(chosen)).collect(),
         rejected: rejected(data, &all, chosen, budget),
     })
+}
+
+/// Where what the method leaves out round the sun decides.
+fn halo_note(chosen: &Candidate) -> Option<String> {
+    let decides = chosen.prediction.decided_by == Some(Effect::SilverLining);
+    let without = emitted::emitted(&chosen.method.name).is_some() && !chosen.method.name.contains("halo");
+    let note = "light that met forward events only is left out of this method: stratiform_halo.* adds it, with what error the data do not say";
+    (decides && without).then(|| note.to_owned())
 }
 
 /// The cheapest that meets the budget; with a cost alone the most accurate within it; else what comes nearest.

@@ -39,7 +39,7 @@ mod tests {
 
     #[test]
     fn knobs_do_not_change_what_is_emitted() {
-        assert_eq!(emitted("fitted").unwrap().library, "stratiform_shade");
+        assert_eq!(emitted("fitted:64").unwrap().library, "stratiform_shade");
         assert_eq!(emitted("bouthors-corrected-escape:256").unwrap().library, "stratiform_radiance");
         assert!(emitted("bouthors-printed").is_none() && emitted("octaves:8").is_none());
     }

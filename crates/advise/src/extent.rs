@@ -15,7 +15,7 @@ const MOST_PASSES: u32 = 64;
 
 /// Orders whose rest is within `allowed` at 95 % of the scene: 1, 2, or `None` for all.
 pub(crate) fn orders(data: &Data, points: &Points, allowed: f64) -> Option<u32> {
-    let Some((_, places)) = points.populations.first() else { return None };
+    let (_, places) = points.populations.first()?;
     let share = |nodes: &[(usize, f64)], column| match data.value(nodes, column) {
         Value::Known(share) => share,
         _ => 0.0,

@@ -71,8 +71,8 @@ fn comment(advice: &Advice, stem: &str) -> String {
         _ => "",
     };
     format!(
-        "# Made by `stratiform advise`: {}. {call}\n{texels}{others}# First `stratiform reproduce` this file, then copy what it \
-         accepts to {stem}-accepted.\n{shared}",
+        "# Made by `stratiform advise`: {}. {call}\n{texels}{others}# First `stratiform reproduce` this file with --out OUT, then copy \
+         OUT/accepted to {stem}-accepted.\n{shared}",
         advice.method
     )
 }
