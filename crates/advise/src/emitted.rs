@@ -14,13 +14,15 @@ pub struct Emitted {
 /// Where the method called `name` stands in what is emitted; `None` for methods that are not.
 pub(crate) fn emitted(name: &str) -> Option<Emitted> {
     let (library, functions) = match stem(name) {
-        "fitted" | "fitted-halo" => ("stratiform_shade", ["stratiform_shade_top", "stratiform_shade_bottom"]),
+        "fitted" => ("stratiform_shade", "stratiform_shade_top stratiform_shade_bottom"),
+        "fitted-halo" => ("stratiform_shade", "stratiform_shade_top stratiform_shade_bottom stratiform_halo"),
         stem if is_refitted(stem) => {
-            ("stratiform_radiance", ["stratiform_radiance_top", "stratiform_radiance_bottom"])
+            ("stratiform_radiance", "stratiform_radiance_top stratiform_radiance_bottom")
         }
         _ => return None,
     };
-    Some(Emitted { library: library.to_owned(), functions: functions.map(str::to_owned).to_vec() })
+    let functions = functions.split(' ').map(str::to_owned).collect();
+    Some(Emitted { library: library.to_owned(), functions })
 }
 
 /// The name without its knob.
