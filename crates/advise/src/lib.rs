@@ -2,7 +2,7 @@
 //!
 //! [`Data`] holds signed errors of every listed method on lattices over r_e, thickness, sun and view
 //! (`stratiform_artifact::ErrorData`; [`Data::committed`] is built in). [`advise`] lays points of a Halton sequence over a scene's
-//! ranges ([`cover`]), interpolates the size of each method's error there ([`lattice`]), and takes the 95th percentile of its size, times
+//! ranges (`cover`), interpolates the size of each method's error there (`lattice`), and takes the 95th percentile of its size, times
 //! [`MARGIN`] plus [`FLOOR`], as what it [promises](Prediction). Every visible effect has points of its own, and its percentile must
 //! meet the budget too. Nothing is measured. Errors: [`AdviseError`].
 
