@@ -103,7 +103,6 @@ fn check_radiance(config: &Config, inputs: &Inputs, folder: &Path) -> Result<(),
 /// As [`read`]; [`CliError::Failed`] if it was made from another config's optics, transport, fit or radiance model.
 pub fn read_for(config: &Config, folder: &Path) -> Result<Inputs, CliError> {
     let inputs = read(folder)?;
-    check_radiance(config, &inputs, folder)?;
     if !belong(&inputs.parameters, config) {
         let (found, expected) = (&inputs.parameters.provenance.config_hash, provenance(config).config_hash);
         return Err(CliError::Failed(format!(
@@ -112,6 +111,7 @@ pub fn read_for(config: &Config, folder: &Path) -> Result<Inputs, CliError> {
             folder.display()
         )));
     }
+    check_radiance(config, &inputs, folder)?;
     Ok(inputs)
 }
 

@@ -27,7 +27,7 @@ pub fn text(advice: &Advice, scene: &Scene, tau: Interval, path: &Path) -> Strin
          \"hale-querry-1973\"\ntheta_f_deg = {:?}\nnumber_density_per_cm3 = {number:?}\n\n[optics.droplets]\ndistribution = \
          \"modified-gamma\"\neffective_radius_um = {radius:?}\ngamma = {:?}\n\n[transport]\nwavelength_um = {middle:?}\n\
          extinction_convention = \"paper\"\n{omega}totals_medium = \"full\"\norders_medium = \"modified\"\nsource = \"solve\"\n\n\
-         [fit]\ntheta_l_deg = {:?}\nthickness_m = {{ min = {:?}, max = {:?}, count = 20 }}\n\n[codegen]\naccepted = {:?}\n\
+         [fit]\ntheta_l_deg = {:?}\nthickness_m = {{ min = {:?}, max = {:?}, count = 20 }}\n\n{}[codegen]\naccepted = {:?}\n\
          output = {:?}\n\n[check]\ntolerance = 1e-4\nfalse_alarm_rate = 1e-5\n\n{CHECK}",
         comment(advice, &stem),
         advice.title,
@@ -36,9 +36,20 @@ pub fn text(advice: &Advice, scene: &Scene, tau: Interval, path: &Path) -> Strin
         suns(advice),
         tau.min / kappa,
         tau.max / kappa,
+        radiance(advice),
         format!("{stem}-accepted"),
         format!("{stem}-generated"),
     )
+}
+
+/// The section that fits the radiance model, where that is what is emitted; its thicknesses are those of the paper's cloud.
+fn radiance(advice: &Advice) -> &'static str {
+    match &advice.emitted {
+        Some(emitted) if emitted.library == "stratiform_shade" => {
+            "[radiance]\ntau_min = 0.1\ntau_max = 300.0\ntau_count = 12\nsuns = 24\nviews = 14\n\n"
+        }
+        _ => "",
+    }
 }
 
 /// The droplets of the config: in the middle of those that the method needs tables of.
@@ -64,15 +75,9 @@ fn comment(advice: &Advice, stem: &str) -> String {
     let radii = &advice.phase_radii_um;
     let others =
         if radii.len() > 1 { format!("# One config for each r_e of {radii:?} um.\n") } else { String::new() };
-    let shared = match &advice.emitted {
-        Some(emitted) if emitted.library == "stratiform_shade" => {
-            "# radiance_parameters.json of fit-configs/appendix-b/accepted serves every cloud: copy it there too.\n"
-        }
-        _ => "",
-    };
     format!(
         "# Made by `stratiform advise`: {}. {call}\n{texels}{others}# First `stratiform reproduce` this file with --out OUT, then copy \
-         OUT/accepted to {stem}-accepted.\n{shared}",
+         OUT/accepted to {stem}-accepted.\n",
         advice.method
     )
 }
