@@ -61,7 +61,7 @@ impl Advice {
     fn write_code(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match (&self.emitted, self.table_bytes) {
             (Some(emitted), _) => {
-                writeln!(f, "  shader code   {}.*: call {}", emitted.library, emitted.functions.join(" or "))
+                writeln!(f, "  shader code   {}.*: call {}", emitted.library, emitted.functions.join(", "))
             }
             (None, Some(_)) => writeln!(f, "  shader code   a formula, not among the emitted libraries"),
             (None, None) => writeln!(f, "  shader code   none: for tables made beforehand"),

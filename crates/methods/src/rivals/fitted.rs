@@ -20,6 +20,10 @@ use stratiform_quantities::{Range, Side};
 
 const ACCEPTED: &str = include_str!("../../../../fit-configs/appendix-b/accepted/radiance_parameters.json");
 
+const OMEGA: Range = Range::closed(1.0, 1.0);
+/// The radii at which it was held against the solver.
+const R_EFF_UM: Range = Range::closed(4.0, 20.0);
+
 struct Fitted<F, P> {
     coefficients: Coefficients<F>,
     phase: P,
@@ -65,7 +69,8 @@ fn coefficients(cloud: &Cloud) -> Result<Coefficients<f64>, MethodError> {
 
 /// Where it was fitted and held against other points, but for the aureole.
 fn promise() -> Promise {
-    Promise::relative(0.25, region([1e-3, 1e4], 0.1736)).outside_aureole(6.0)
+    let within = Domain { omega: OMEGA, r_eff_um: R_EFF_UM, ..region([1e-3, 1e4], 0.1736) };
+    Promise::relative(0.25, within).outside_aureole(6.0)
 }
 
 /// With the accepted coefficients, with or without the halo. The phase function is exact in double precision and on
@@ -82,11 +87,7 @@ pub(crate) fn method(with_halo: bool, texels: Option<usize>) -> Simple {
         title,
         source: "This project: stratiform_model::radiance, after Nakajima & Tanaka 1988 and van de Hulst 1980",
         class: Class::Mixed,
-        domain: Domain {
-            omega: Range::closed(1.0, 1.0),
-            r_eff_um: Range::closed(4.0, 20.0),
-            ..Domain::EVERYWHERE
-        },
+        domain: Domain { omega: OMEGA, r_eff_um: R_EFF_UM, ..Domain::EVERYWHERE },
         promises: Promises { radiance: texels.is_none().then(promise), flux: None },
         radiance: true,
         flux: false,

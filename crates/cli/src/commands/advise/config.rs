@@ -68,7 +68,7 @@ fn suns(advice: &Advice) -> Vec<f64> {
 /// What the config cannot say.
 fn comment(advice: &Advice, stem: &str) -> String {
     let call = advice.emitted.as_ref().map_or("No emitted library has this method.".to_owned(), |emitted| {
-        format!("Call {} of {stem}-generated/{}.*.", emitted.functions.join(" or "), emitted.library)
+        format!("Call {} of {stem}-generated/{}.*.", emitted.functions.join(", "), emitted.library)
     });
     let texels =
         advice.phase_texels.map_or(String::new(), |count| format!("# {count} texels of phase suffice.\n"));
