@@ -85,35 +85,7 @@ fn reproduces_the_model(ending: &str) {
     }
 }
 
-#[test]
-fn c_and_cpp_reproduce_the_model() {
-    reproduces_the_model("h");
-}
-
-#[test]
-fn rust_reproduces_the_model() {
-    reproduces_the_model("rs");
-}
-
-#[test]
-fn metal_reproduces_the_model() {
-    reproduces_the_model("metal");
-}
-
-#[test]
-fn glsl_reproduces_the_model() {
-    reproduces_the_model("450.glsl");
-}
-
-#[test]
-fn hlsl_reproduces_the_model() {
-    reproduces_the_model("hlsl");
-}
-
-#[test]
-fn wgsl_reproduces_the_model() {
-    reproduces_the_model("wgsl");
-}
+stratiform_tests::in_every_language!(reproduces_the_model);
 
 #[test]
 fn older_glsl_compiles() {

@@ -1,17 +1,13 @@
 //! The emitted fitted radiance in every language, executed, against the model in double precision.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    reason = "a test may stop where it fails, and says what it measured"
-)]
+#![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
 use std::sync::OnceLock;
 use stratiform_codegen::ShadeVector;
+use stratiform_tests::languages::held::{hold, share};
 use stratiform_tests::languages::library::{Run, SHADE};
 use stratiform_tests::languages::signatures::signatures;
 use stratiform_tests::languages::tools::available;
-use stratiform_tests::languages::ways::ways;
 use stratiform_tests::languages::{Emitted, shaders};
 
 /// Largest error of single scattering and of the rest, relative to the value.
@@ -44,16 +40,9 @@ fn expected(vector: &ShadeVector) -> [[f64; 2]; 6] {
     [top[0], top[1], top[2], bottom[0], bottom[1], bottom[2]]
 }
 
-/// Largest error in units of what is allowed; infinite where a value is missing or no number.
+/// Largest error in units of what is allowed.
 fn worst(values: &[f32]) -> f64 {
-    let errors = shade().vectors.iter().enumerate().flat_map(|(k, vector)| {
-        expected(vector).into_iter().enumerate().map(move |(i, [exact, bound])| {
-            let value = values.get(6 * k + i).map_or(f64::NAN, |value| f64::from(*value));
-            let error = (value - exact).abs() / bound;
-            if error.is_nan() { f64::INFINITY } else { error }
-        })
-    });
-    errors.fold(0.0, f64::max)
+    share(values, shade().vectors.iter().flat_map(expected))
 }
 
 /// The first coefficient of either face, a thousandth more.
@@ -76,46 +65,10 @@ fn reproduces_the_model(ending: &str) {
     let tables = if matches!(ending, "h" | "rs") { &[] } else { &tables[..] };
     let run = Run { library: &SHADE, tables, input: &input, beside: &beside };
     let text = emitted.text(&format!("stratiform_shade.{ending}"));
-    for way in ways(ending) {
-        let Some(output) = way.execute(&run, &text) else { continue };
-        let error = worst(&output.values);
-        println!("{:<24} {error:.2} of what is allowed", way.name);
-        assert!(error < 1.0, "{}: {error}", way.name);
-        assert_eq!(output.wrong, 0, "{}: the embedded self-test", way.name);
-        let output = way.execute(&run, &planted(&text)).unwrap();
-        assert!(worst(&output.values) > 1.0 && output.wrong > 0, "{}: planted", way.name);
-    }
+    hold(ending, &run, [&text, &planted(&text)], worst);
 }
 
-#[test]
-fn c_and_cpp_reproduce_the_model() {
-    reproduces_the_model("h");
-}
-
-#[test]
-fn rust_reproduces_the_model() {
-    reproduces_the_model("rs");
-}
-
-#[test]
-fn metal_reproduces_the_model() {
-    reproduces_the_model("metal");
-}
-
-#[test]
-fn glsl_reproduces_the_model() {
-    reproduces_the_model("450.glsl");
-}
-
-#[test]
-fn hlsl_reproduces_the_model() {
-    reproduces_the_model("hlsl");
-}
-
-#[test]
-fn wgsl_reproduces_the_model() {
-    reproduces_the_model("wgsl");
-}
+stratiform_tests::in_every_language!(reproduces_the_model);
 
 #[test]
 fn older_glsl_compiles() {

@@ -9,6 +9,7 @@
 //! 300 es are compiled only.
 
 pub mod comparator;
+pub mod held;
 pub mod library;
 pub mod native;
 pub mod shaders;
