@@ -93,7 +93,7 @@ impl Gpu {
         self.read(&readback)
     }
 
-    fn pipeline(
+    pub(crate) fn pipeline(
         &self,
         module: &wgpu::ShaderModule,
         entry: &str,
@@ -184,7 +184,7 @@ impl Gpu {
         self.queue.submit([encoder.finish()]);
     }
 
-    fn read(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
+    pub(crate) fn read(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
         let (sender, receiver) = mpsc::channel();
         buffer.map_async(wgpu::MapMode::Read, .., move |result| {
             // The receiver lives until the result has come.

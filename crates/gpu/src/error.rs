@@ -35,6 +35,14 @@ pub enum GpuError {
         /// The validation message.
         reason: String,
     },
+    /// A buffer that the device has no room for.
+    #[error("the device has no room for {bytes} bytes: {reason}")]
+    OutOfMemory {
+        /// Its size.
+        bytes: usize,
+        /// What the device said.
+        reason: String,
+    },
     /// The work did not end, or its result could not be read.
     #[error("the device failed: {reason}")]
     Failed {

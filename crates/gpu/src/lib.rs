@@ -1,6 +1,7 @@
-//! One compute dispatch on the first graphics adapter: bytes in, bytes out.
+//! Compute on the first graphics adapter: one dispatch, bytes in and bytes out ([`Gpu::run`]), or a sequence of passes over buffers that
+//! stay on the device ([`Gpu::submit_passes`]).
 //!
-//! For tests that hold emitted shaders against the f64 model, and for tracers on the device. No window, no
+//! For tests that hold emitted shaders against the f64 model, for the renderer and for tracers on the device. No window, no
 //! display. Any Vulkan driver serves, software ones included; which one answered is [`Gpu::adapter`].
 //!
 //! Mesa's software driver stops loops silently after 65535 iterations per invocation, summed over all its loops:
@@ -8,8 +9,10 @@
 
 mod dispatch;
 mod error;
+mod sequence;
 
 pub use error::GpuError;
+pub use sequence::{Access, Buffer, Kernel, Pass};
 
 use pollster::block_on;
 
@@ -36,7 +39,8 @@ impl Gpu {
         let info = adapter.get_info();
         let closed = |error: wgpu::RequestDeviceError| GpuError::Device { reason: error.to_string() };
         let descriptor = wgpu::DeviceDescriptor {
-            required_features: adapter.features() & wgpu::Features::PASSTHROUGH_SHADERS,
+            required_features: adapter.features()
+                & (wgpu::Features::PASSTHROUGH_SHADERS | wgpu::Features::TIMESTAMP_QUERY),
             ..Default::default()
         };
         let (device, queue) = block_on(adapter.request_device(&descriptor)).map_err(closed)?;

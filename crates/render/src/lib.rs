@@ -1,0 +1,5 @@
+//! The picture of a world in real time: compute passes around the committed generated text.
+
+mod settings;
+
+pub use settings::{Contributions, Model, Radiosity, RingRule, Settings};

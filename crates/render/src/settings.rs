@@ -1,0 +1,91 @@
+//! What is drawn, and how.
+
+use stratiform_world::Contribution;
+
+/// How the sun's light leaves the cloud.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Model {
+    /// The paper's orders with the corrected equations (`stratiform_radiance.wgsl`): local normal for one and two events, vertical for
+    /// three and more.
+    Angular,
+    /// One event exactly and all others as the fitted exponential (`stratiform_shade.wgsl`).
+    Fitted,
+}
+
+/// Which weights the three nested squares of the ring integration get (physics: form factors of discs against squares).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RingRule {
+    /// Levels 0, 1, 3 with the printed weights 0.5, 0.3, 0.2 of discs.
+    AsPrinted,
+    /// Levels 1, 2, 4 with the same weights.
+    WiderSquares,
+    /// Levels 0, 1, 3 with the weights of squares, 0.239, 0.315, 0.446 (0.135, 0.390, 0.476 by level).
+    SquareWeights,
+}
+
+/// Light between ground and cloud.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Radiosity {
+    /// Texels a side.
+    pub side: u32,
+    /// Exchanges; `None`: as many as the ground's albedo and `error` need.
+    pub passes: Option<u32>,
+    /// Share of the exchanged light that may be missing.
+    pub error: f64,
+    /// The weights.
+    pub rings: RingRule,
+}
+
+/// A set of contributions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Contributions(u32);
+
+impl Contributions {
+    /// Every one.
+    pub fn all() -> Self {
+        Contribution::ALL.into_iter().fold(Self::none(), Self::with)
+    }
+
+    /// None.
+    pub fn none() -> Self {
+        Self(0)
+    }
+
+    /// With one more.
+    pub fn with(self, contribution: Contribution) -> Self {
+        Self(self.0 | 1 << contribution.index())
+    }
+
+    /// With one less.
+    pub fn without(self, contribution: Contribution) -> Self {
+        Self(self.0 & !(1 << contribution.index()))
+    }
+
+    /// Whether it is in the set.
+    pub fn has(self, contribution: Contribution) -> bool {
+        self.0 & (1 << contribution.index()) != 0
+    }
+
+    /// A bit per contribution, in the order of [`Contribution::ALL`].
+    pub fn bits(self) -> u32 {
+        self.0
+    }
+}
+
+/// What is drawn, and how.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// How the sun's light leaves the cloud.
+    pub model: Model,
+    /// What is drawn.
+    pub contributions: Contributions,
+    /// Light between ground and cloud.
+    pub radiosity: Radiosity,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        let radiosity = Radiosity { side: 16, passes: None, error: 1e-3, rings: RingRule::WiderSquares };
+        Self { model: Model::Fitted, contributions: Contributions::all(), radiosity }
+    }
+}

@@ -1,0 +1,1 @@
+//! A window on the renderer, with sun, camera and time under keys and mouse.
