@@ -1,5 +1,6 @@
 //! Why there is no picture.
 
+use crate::radiosity::RadiosityError;
 use std::path::PathBuf;
 use stratiform_artifact::ArtifactError;
 use stratiform_gpu::GpuError;
@@ -26,6 +27,9 @@ pub enum RenderError {
         /// What is wrong.
         message: String,
     },
+    /// Light between ground and cloud that cannot be computed.
+    #[error(transparent)]
+    Radiosity(#[from] RadiosityError),
     /// A picture without pixels.
     #[error(transparent)]
     Image(#[from] ImagingError),

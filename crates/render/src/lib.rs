@@ -19,6 +19,7 @@ mod error;
 mod generated;
 mod phase_table;
 mod pyramid;
+pub mod radiosity;
 mod readback;
 mod renderer;
 mod settings;

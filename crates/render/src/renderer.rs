@@ -1,6 +1,7 @@
 //! What stays on the device between pictures, and the passes over it.
 
 use crate::pyramid::{Levels, Pyramid};
+use crate::radiosity::{Exchange, Step};
 use crate::view::View;
 use crate::{Model, RenderError, Settings, generated, phase_table, readback};
 use stratiform_gpu::{Access, Buffer, Gpu, Kernel, Pass};
@@ -47,6 +48,7 @@ pub struct Renderer {
     settings: Settings,
     picture_kernel: Kernel,
     pyramid: Pyramid,
+    exchange: Exchange,
     buffers: Buffers,
     times: Vec<PassTime>,
 }
@@ -59,9 +61,6 @@ struct Buffers {
     view: Buffer,
     heights: Buffer,
     albedo: Buffer,
-    ground_direct: Buffer,
-    ground_indirect: Buffer,
-    cloud_from_ground: Buffer,
     picture: Buffer,
 }
 
@@ -79,6 +78,7 @@ impl Renderer {
             settings: *settings,
             picture_kernel: picture_kernel(gpu, world, settings.model)?,
             pyramid: Pyramid::new(gpu, &levels)?,
+            exchange: Exchange::new(gpu, world, &settings.radiosity)?,
             buffers: Buffers::new(gpu, world, settings, &levels)?,
             times: Vec::new(),
         })
@@ -117,7 +117,10 @@ impl Renderer {
     fn run(&self) -> Result<Vec<PassTime>, RenderError> {
         let b = &self.buffers;
         let field = self.pyramid.buffers(&b.heights);
+        let light = self.exchange.buffers();
+        let steps = self.exchange.steps();
         let mut passes = self.pyramid.passes(&field);
+        passes.extend(steps.iter().map(Step::pass));
         let camera = &self.world.camera;
         let picture = [
             &b.phase,
@@ -125,9 +128,9 @@ impl Renderer {
             &b.view,
             &b.heights,
             &b.albedo,
-            &b.ground_direct,
-            &b.ground_indirect,
-            &b.cloud_from_ground,
+            &light.ground_direct,
+            &light.ground_indirect,
+            &light.cloud_from_ground,
             &b.picture,
         ];
         let groups = [camera.width.div_ceil(8) as u32, camera.height.div_ceil(8) as u32, 1];
@@ -161,22 +164,15 @@ impl Buffers {
     fn new(gpu: &Gpu, world: &World, settings: &Settings, levels: &Levels) -> Result<Self, RenderError> {
         let camera = &world.camera;
         let view = View::new(world, settings, levels);
-        let side = world.field.map().side();
-        let exchange = settings.radiosity.side as usize;
         let mut heights: Vec<f32> = world.field.map().values().iter().map(|h| *h as f32).collect();
         heights.resize(levels.numbers(), 0.0);
         let albedo: Vec<[f32; 4]> = world.ground.albedo.values().iter().map(|a| four(*a)).collect();
-        let direct = vec![[0.0_f32; 4]; side * side];
-        let indirect = vec![four(world.sky.irradiance()); exchange * exchange];
         Ok(Self {
             phase: gpu.upload(bytemuck::cast_slice(&phase_table::phase_table(&world.material)?))?,
             halo: gpu.upload(bytemuck::cast_slice(&generated::halo(&world.material.generated)?))?,
             view: gpu.upload(bytemuck::bytes_of(&view))?,
             heights: gpu.upload(bytemuck::cast_slice(&heights))?,
             albedo: gpu.upload(bytemuck::cast_slice(&albedo))?,
-            ground_direct: gpu.upload(bytemuck::cast_slice(&direct))?,
-            ground_indirect: gpu.upload(bytemuck::cast_slice(&indirect))?,
-            cloud_from_ground: gpu.zeroed(16 * exchange * exchange)?,
             picture: gpu.zeroed(16 * camera.width * camera.height)?,
         })
     }

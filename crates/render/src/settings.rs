@@ -1,5 +1,6 @@
 //! What is drawn, and how.
 
+use stratiform_model::Form;
 use stratiform_model::angular::Emission;
 use stratiform_world::Contribution;
 
@@ -22,6 +23,8 @@ pub enum RingRule {
     WiderSquares,
     /// Levels 0, 1, 3 with the weights of squares, 0.239, 0.315, 0.446 (0.135, 0.390, 0.476 by level).
     SquareWeights,
+    /// No squares: every texel with its own form factor.
+    Exact,
 }
 
 /// Light between ground and cloud.
@@ -35,6 +38,8 @@ pub struct Radiosity {
     pub error: f64,
     /// The weights.
     pub rings: RingRule,
+    /// Whether shadows and the cloud's source are as printed (parallax h sinθ_l, no cosθ_l) or corrected (h tanθ_l, cosθ_l).
+    pub form: Form,
 }
 
 /// A set of contributions.
@@ -119,16 +124,14 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        let radiosity = Radiosity { side: 16, passes: None, error: 1e-3, rings: RingRule::WiderSquares };
-        let emission = Emissions { top: Emission::Lambertian, bottom: Emission::Escape };
-        let (depth, normals) = (Depth::Local, Normals::Local);
+        let (rings, form) = (RingRule::Exact, Form::Corrected);
         Self {
             model: Model::Fitted,
             contributions: Contributions::all(),
-            radiosity,
-            depth,
-            normals,
-            emission,
+            radiosity: Radiosity { side: 16, passes: None, error: 1e-3, rings, form },
+            depth: Depth::Local,
+            normals: Normals::Local,
+            emission: Emissions { top: Emission::Lambertian, bottom: Emission::Escape },
         }
     }
 }
