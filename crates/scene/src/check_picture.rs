@@ -24,8 +24,12 @@ pub(crate) fn check(scene: &Scene) -> Result<(), Fault> {
     Range::closed(-30.0, 30.0).check("picture.exposure_ev", scene.picture.exposure_ev)?;
     check_radiosity(&scene.radiosity)?;
     match (&scene.camera, &scene.clouds) {
-        (Some(_), None) => Err(Fault::contents("camera", "clouds is missing: a camera needs something to see")),
-        (None, Some(_)) => Err(Fault::contents("clouds", "camera is missing: clouds need somebody to see them")),
+        (Some(_), None) => {
+            Err(Fault::contents("camera", "clouds is missing: a camera needs something to see"))
+        }
+        (None, Some(_)) => {
+            Err(Fault::contents("clouds", "camera is missing: clouds need somebody to see them"))
+        }
         (Some(_), Some(_)) => one_picture(scene),
         (None, None) => Ok(()),
     }
@@ -39,7 +43,8 @@ fn one_picture(scene: &Scene) -> Result<(), Fault> {
     ];
     match singles.iter().find(|(_, interval)| interval.min < interval.max) {
         Some((key, range)) => {
-            let message = format!("{key} runs from {} to {}: a picture needs one value", range.min, range.max);
+            let message =
+                format!("{key} runs from {} to {}: a picture needs one value", range.min, range.max);
             Err(Fault::contents(key, message))
         }
         None => Ok(()),
@@ -73,7 +78,7 @@ fn check_clouds(clouds: &Clouds) -> Result<(), Fault> {
     check_optional("clouds.evolution_s", clouds.evolution_s, Range::closed(1.0, 1e7))?;
     check_optional("clouds.scale_m", clouds.scale_m, up_to(1e5))?;
     check_optional("clouds.side", clouds.side.map(f64::from), Range::closed(1.0, 8192.0))?;
-    check_optional("clouds.cover", clouds.cover, up_to(1.0))?;
+    check_optional("clouds.cover", clouds.cover, Range::closed(0.01, 1.0))?;
     check_optional("clouds.cell_m", clouds.cell_m, up_to(clouds.extent_m))?;
     check_optional("clouds.octaves", clouds.octaves.map(f64::from), Range::closed(1.0, 16.0))?;
     if let Some(thickness) = &clouds.thickness_m {
@@ -100,7 +105,9 @@ fn source(clouds: &Clouds) -> Result<(), Fault> {
     let flat = clouds.pattern == Some(Pattern::Flat);
     match (&clouds.file, clouds.scale_m) {
         (Some(_), None) => Err(Fault::contents("clouds.file", "clouds.scale_m is missing: a file needs it")),
-        (None, Some(_)) => Err(Fault::contents("clouds.scale_m", "clouds.scale_m means nothing without a file")),
+        (None, Some(_)) => {
+            Err(Fault::contents("clouds.scale_m", "clouds.scale_m means nothing without a file"))
+        }
         (Some(_), Some(_)) => idle("clouds", "beside a file", shaped.iter().chain(&varied)),
         (None, None) if flat => idle("clouds", "in a flat layer", &varied),
         (None, None) => varied_thickness(clouds),
@@ -112,7 +119,10 @@ fn varied_thickness(clouds: &Clouds) -> Result<(), Fault> {
     let Some(Interval { min, max }) = clouds.thickness_m else { return Ok(()) };
     let key = "clouds.thickness_m";
     if min == max {
-        return Err(Fault::contents(key, format!("{key} = {min}: this pattern needs {{ min = .., max = .. }}")));
+        return Err(Fault::contents(
+            key,
+            format!("{key} = {min}: this pattern needs {{ min = .., max = .. }}"),
+        ));
     }
     match clouds.cover {
         Some(cover) if cover < 1.0 && min > 0.0 => {

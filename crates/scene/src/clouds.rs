@@ -32,7 +32,7 @@ pub struct Clouds {
     /// What thickness follows; nothing and no file: stratocumulus.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pattern: Option<Pattern>,
-    /// PNG (grey, 8 or 16 bit: black is 0, white `scale_m`) or EXR (first channel times `scale_m`), square, north at the top.
+    /// PNG (grey, 8 or 16 bit: black is 0, white `scale_m`) or EXR of one channel (times `scale_m`), square, north at the top.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// Metres of a file's 1.
