@@ -3,7 +3,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use stratiform_optics::phase::PhaseFunction;
+use stratiform_optics::phase::{PhaseFunction, PhaseTable};
 use stratiform_world::Material;
 use tempfile::TempDir;
 
@@ -62,6 +62,24 @@ fn colours_stand_in_their_order() {
         let beyond = p.modified(material.theta_f_deg).unwrap().asymmetry();
         assert!((squared.asymmetry() - beyond * beyond).abs() < 1e-3, "{} {beyond}", squared.asymmetry());
     }
+}
+
+/// Where a channel is brightest between 177 and 179 degrees.
+fn ring(p: &PhaseTable) -> f64 {
+    let at = |i: i32| 177.0 + f64::from(i) / 1000.0;
+    let value = |i: &i32| p.at(at(*i).to_radians());
+    at((0..2000).max_by(|a, b| value(a).total_cmp(&value(b))).unwrap())
+}
+
+/// Rings of γ = 18, r_e = 7 µm at 177.5 (red), 177.9 and 178.25 degrees; the
+/// droplets of γ = 2 smear them and move them inwards.
+#[test]
+fn narrow_droplets_have_a_glory_in_colour() {
+    let rings = |name: &str| Material::load(&committed(name)).unwrap().colour.each_ref().map(ring);
+    for (found, expected) in rings("narrow").into_iter().zip([177.5, 177.9, 178.25]) {
+        assert!((found - expected).abs() < 0.04, "{found} {expected}");
+    }
+    assert!((rings("appendix-b")[0] - 177.5).abs() > 0.2);
 }
 
 #[test]
