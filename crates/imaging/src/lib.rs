@@ -7,6 +7,7 @@
 //!
 //! Files appear whole or not at all; pixels that are not finite are refused by name.
 
+pub mod compare;
 mod error;
 mod file;
 mod grey;
