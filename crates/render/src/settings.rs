@@ -1,5 +1,6 @@
 //! What is drawn, and how.
 
+use stratiform_model::Form;
 use stratiform_world::Contribution;
 
 /// How the sun's light leaves the cloud.
@@ -21,6 +22,8 @@ pub enum RingRule {
     WiderSquares,
     /// Levels 0, 1, 3 with the weights of squares, 0.239, 0.315, 0.446 (0.135, 0.390, 0.476 by level).
     SquareWeights,
+    /// No squares: every texel with its own form factor.
+    Exact,
 }
 
 /// Light between ground and cloud.
@@ -34,6 +37,8 @@ pub struct Radiosity {
     pub error: f64,
     /// The weights.
     pub rings: RingRule,
+    /// Whether shadows and the cloud's source are as printed (parallax h sinθ_l, no cosθ_l) or corrected (h tanθ_l, cosθ_l).
+    pub form: Form,
 }
 
 /// A set of contributions.
@@ -85,7 +90,8 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        let radiosity = Radiosity { side: 16, passes: None, error: 1e-3, rings: RingRule::WiderSquares };
+        let (rings, form) = (RingRule::Exact, Form::Corrected);
+        let radiosity = Radiosity { side: 16, passes: None, error: 1e-3, rings, form };
         Self { model: Model::Fitted, contributions: Contributions::all(), radiosity }
     }
 }

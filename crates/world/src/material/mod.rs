@@ -1,5 +1,7 @@
 //! What the cloud consists of.
 
+mod load;
+
 use std::path::PathBuf;
 use stratiform_optics::phase::PhaseTable;
 use stratiform_quantities::ExtinctionConvention;
