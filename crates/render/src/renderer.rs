@@ -5,7 +5,7 @@ use crate::cloud::Cloud;
 use crate::field::Field;
 use crate::radiosity::{Exchange, Step};
 use crate::view::View;
-use crate::{Contributions, RenderError, Settings, readback};
+use crate::{Contributions, GroundLight, RenderError, Settings, readback};
 use stratiform_gpu::{Buffer, Gpu, Pass};
 use stratiform_imaging::Image;
 use stratiform_world::{Camera, Ground, World};
@@ -96,6 +96,14 @@ impl Renderer {
     /// The device's time for each pass of the last picture; empty before the first one, and where the adapter has no time stamps.
     pub fn timings(&self) -> Vec<PassTime> {
         self.times.clone()
+    }
+
+    /// The light between ground and cloud of the last picture.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] if the device fails.
+    pub fn ground_light(&self) -> Result<GroundLight, RenderError> {
+        GroundLight::read(&self.gpu, self.exchange.buffers())
     }
 
     fn run(&self) -> Result<Vec<PassTime>, RenderError> {
