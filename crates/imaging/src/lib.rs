@@ -7,6 +7,8 @@
 //!
 //! Files appear whole or not at all; pixels that are not finite are refused by name.
 
+pub mod compare;
+pub mod draw;
 mod error;
 mod file;
 mod grey;

@@ -6,6 +6,7 @@ mod png;
 
 pub use exr::{Layers, read_exr, write_exr};
 pub use grey::read_grey;
+pub(crate) use png::encode_png;
 pub use png::read_png;
 
 use crate::ImagingError;

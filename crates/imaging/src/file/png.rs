@@ -20,8 +20,7 @@ impl Image {
             ),
             ("Tone curve", tone.curve.name().to_owned()),
         ];
-        let encoded = encode((self.width(), self.height()), &tone.bytes(self)?, &text);
-        Ok(write_atomic(path, &encoded.map_err(|error| fault(path, error))?)?)
+        Ok(write_atomic(path, &encode_png((self.width(), self.height()), &tone.bytes(self)?, &text)?)?)
     }
 
     /// The same file in memory.
@@ -29,24 +28,23 @@ impl Image {
     /// # Errors
     /// As [`write_png`](Self::write_png).
     pub fn to_png(&self, tone: &Tone) -> Result<Vec<u8>, ImagingError> {
-        encode((self.width(), self.height()), &tone.bytes(self)?, &[])
-            .map_err(|error| fault(Path::new("PNG"), error))
+        encode_png((self.width(), self.height()), &tone.bytes(self)?, &[])
     }
 }
 
 /// A PNG of stored sRGB bytes.
-pub(crate) fn encode(
+pub(crate) fn encode_png(
     (width, height): (usize, usize),
     rgb: &[u8],
     text: &[(&str, String)],
-) -> Result<Vec<u8>, String> {
-    let side = |n: usize| u32::try_from(n).map_err(|error| error.to_string());
+) -> Result<Vec<u8>, ImagingError> {
+    let refuse = |error: png::EncodingError| fault(Path::new("PNG"), error);
+    let side = |n: usize| u32::try_from(n).map_err(|error| fault(Path::new("PNG"), error));
     let mut out = Vec::new();
     let mut encoder = png::Encoder::new(&mut out, side(width)?, side(height)?);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::RelativeColorimetric);
-    let refuse = |error: png::EncodingError| error.to_string();
     encoder.add_text_chunk("Software".to_owned(), "stratiform".to_owned()).map_err(refuse)?;
     for (key, value) in text {
         encoder.add_text_chunk((*key).to_owned(), value.clone()).map_err(refuse)?;
