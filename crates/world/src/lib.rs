@@ -15,7 +15,6 @@ mod height_field;
 mod light;
 mod map;
 mod material;
-mod stub;
 
 pub use camera::Camera;
 pub use contribution::Contribution;
