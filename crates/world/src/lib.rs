@@ -15,7 +15,6 @@ mod height_field;
 mod light;
 mod map;
 mod material;
-mod stub;
 mod sky;
 
 pub use camera::Camera;
