@@ -32,37 +32,41 @@ fn covered(side: usize, inside: impl Fn(f64, f64) -> bool) -> Vec<[f64; 3]> {
     (0..side * side).map(share).collect()
 }
 
-/// A black plane with one white shape above the origin, planes 4 texels apart on 128 x 128.
-fn below_a_shape(rule: RingRule, inside: impl Fn(f64, f64) -> bool) -> f64 {
-    let weights = Weights::new(rule, 128, 1.0, 4.0).unwrap();
-    covered(128, inside).iter().zip(weights.values()).map(|(light, weight)| light[0] * weight).sum()
+/// Texels along a shape and along the period.
+const ACROSS: f64 = 9.0;
+const PERIOD: usize = 128;
+
+/// Light at the origin of a plane below a black one with a white shape; `h` in texels.
+fn below(rule: RingRule, h: f64, inside: impl Fn(f64, f64) -> bool) -> f64 {
+    let weights = Weights::new(rule, PERIOD, 1.0, h).unwrap();
+    covered(PERIOD, inside).iter().zip(weights.values()).map(|(light, weight)| light[0] * weight).sum()
 }
 
 fn closed_forms() {
-    println!("Light below a white shape at height h, texels of h/4:");
+    println!("Light below a white shape that is {ACROSS} texels wide, by its width over h:");
     println!(
         "{:28}{:>10}{}",
         "",
         "closed",
         RULES.map(|rule| format!("{:>15}", format!("{rule:?}"))).concat()
     );
-    for size in [0.5, 1.0, 2.0, 4.0, 8.0] {
-        let half = 2.0 * size;
-        let found = RULES.map(|rule| below_a_shape(rule, |x, y| x.abs() < half && y.abs() < half));
+    let half = 0.5 * ACROSS;
+    for size in [1.0, 2.0, 4.0, 8.0] {
+        let h = ACROSS / size;
+        let found = RULES.map(|rule| below(rule, h, |x, y| x.abs() < half && y.abs() < half));
         row(&format!("square of side {size} h"), form_factor::square(size, 1.0), found);
-        let radius = 4.0 * size;
-        let found = RULES.map(|rule| below_a_shape(rule, |x, y| x * x + y * y < radius * radius));
-        row(&format!("disc of radius {size} h"), form_factor::disc(size, 1.0), found);
+        let found = RULES.map(|rule| below(rule, h, |x, y| x * x + y * y < half * half));
+        row(&format!("disc of radius {} h", 0.5 * size), form_factor::disc(0.5 * size, 1.0), found);
     }
     for away in [1.0, 2.0, 4.0] {
-        let near = 4.0 * away;
-        let found = RULES.map(|rule| below_a_shape(rule, |x, y| (x - near).abs() < 4.0 && y.abs() < 4.0));
+        let near = half * away;
+        let found = RULES.map(|rule| below(rule, half, |x, y| (x - near).abs() < half && y.abs() < half));
         let closed = form_factor::rectangle([away - 1.0, -1.0], [away + 1.0, 1.0], 1.0);
         row(&format!("square of side 2 h, {away} h off"), closed, found);
     }
 }
 
-fn row(name: &str, closed: f64, found: [f64; 4]) {
+fn row(name: &str, closed: f64, found: [f64; 5]) {
     println!("{name:28}{closed:>10.4}{}", found.map(|value| format!("{value:>15.4}")).concat());
 }
 
@@ -100,7 +104,7 @@ fn convergence() {
         waves(9, 16, 3).iter().map(|h| [(0.5 + 0.15 * h).clamp(0.2, 0.8); 3]).collect();
     for albedo in [0.2, 0.8] {
         let planes = Planes {
-            weights: Weights::new(RingRule::Exact, 16, EXTENT_M / 16.0, BASE_M).unwrap(),
+            weights: Weights::new(RingRule::LeastSquares, 16, EXTENT_M / 16.0, BASE_M).unwrap(),
             ground_albedo: vec![[albedo; 3]; 256],
             cloud_albedo: cloud.clone(),
             ground_source: vec![[0.5; 3]; 256],

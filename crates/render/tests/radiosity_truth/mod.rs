@@ -14,8 +14,13 @@ pub const IMAGES: i32 = 6;
 pub const FINER: usize = 4;
 
 /// Every rule.
-pub const RULES: [RingRule; 4] =
-    [RingRule::AsPrinted, RingRule::WiderSquares, RingRule::SquareWeights, RingRule::Exact];
+pub const RULES: [RingRule; 5] = [
+    RingRule::AsPrinted,
+    RingRule::WiderSquares,
+    RingRule::SquareWeights,
+    RingRule::Exact,
+    RingRule::LeastSquares,
+];
 
 /// Share that reaches the centre of texel 0 from texel `(x, y)`, `h` in texels.
 fn shares(side: usize, h: f64) -> Vec<f64> {
