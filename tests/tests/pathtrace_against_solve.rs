@@ -5,12 +5,12 @@
 use glam::DVec3;
 use std::f64::consts::PI;
 use std::path::PathBuf;
+use stratiform_cli::pipeline::reference::Media;
 use stratiform_optics::phase::PhaseTable;
 use stratiform_pathtrace::{Request, Stop, trace};
 use stratiform_quantities::{ExtinctionConvention, Medium, Order, Side};
 use stratiform_stats::{Estimate, family_threshold, z_score};
 use stratiform_tests::{accepted_cloud, paper_config};
-use stratiform_cli::pipeline::reference::Media;
 use stratiform_transport::solve::{RadianceOrder, RadianceSolver, View};
 use stratiform_world::{Camera, Ground, HeightField, Map, Material, Sky, Sun, World};
 
@@ -61,7 +61,11 @@ fn world(phase: &PhaseTable, tau: f64, theta_l: f64, (side, theta, phi): (Side, 
     let (sine, cosine) = libm::sincos(theta_l.to_radians());
     World {
         camera: Camera { position, forward, right, up: above, tan_half: 1e-7, width: 16, height: 16 },
-        sun: Sun { direction: DVec3::new(-sine, 0.0, cosine), irradiance: [1.0; 3], angular_radius_deg: 0.266 },
+        sun: Sun {
+            direction: DVec3::new(-sine, 0.0, cosine),
+            irradiance: [1.0; 3],
+            angular_radius_deg: 0.266,
+        },
         sky: Sky::Uniform([0.0; 3]),
         ground: Ground { albedo: Map::new(1, 1000.0, vec![[0.0; 3]]).unwrap() },
         base_m: 1000.0,
@@ -91,15 +95,23 @@ fn radiance_of_a_flat_layer_is_the_solvers() {
         let mu0 = libm::cos(theta_l.to_radians());
         for tau in [2.0, 16.0] {
             let list = views(theta_l);
-            let asked: Vec<View> = list.iter().map(|&(side, theta, phi_deg)| {
-                View { side, mu: libm::cos(theta.to_radians()), phi_deg }
-            }).collect();
+            let asked: Vec<View> = list
+                .iter()
+                .map(|&(side, theta, phi_deg)| View { side, mu: libm::cos(theta.to_radians()), phi_deg })
+                .collect();
             let solved = solver.radiance_as_reached(RadianceOrder::Total, &[tau], &[mu0], &asked).unwrap();
             for (i, view) in list.iter().enumerate() {
                 let expected = solved.estimate(0, 0, i, RadianceOrder::Total);
                 let found = factor(&world(&cloud.phase, tau, theta_l, *view), samples, 1);
-                println!("{theta_l} {tau} {view:?}: {:.5} +- {:.5} solver {:.5} +- {:.5} ratio {:.4} z {:.2}",
-                    found.value, found.std_error, expected.value, expected.std_error, found.value / expected.value, z_score(found, expected));
+                println!(
+                    "{theta_l} {tau} {view:?}: {:.5} +- {:.5} solver {:.5} +- {:.5} ratio {:.4} z {:.2}",
+                    found.value,
+                    found.std_error,
+                    expected.value,
+                    expected.std_error,
+                    found.value / expected.value,
+                    z_score(found, expected)
+                );
             }
         }
     }
