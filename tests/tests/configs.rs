@@ -4,8 +4,9 @@
 
 use std::fs;
 use std::path::PathBuf;
+use stratiform_artifact::PhaseColour;
 use stratiform_cli::config::Config;
-use stratiform_cli::pipeline::accepted;
+use stratiform_cli::pipeline::{accepted, colour};
 use stratiform_scene::Scene;
 use stratiform_tests::root;
 
@@ -36,6 +37,23 @@ fn accepted_parameters_belong_to_their_config() {
             path.display()
         );
     }
+}
+
+/// So were the phase functions in colour, which the clouds that are drawn have.
+#[test]
+fn accepted_colours_belong_to_their_config() {
+    let mut found = 0;
+    for path in configs() {
+        let config = Config::load(&path).unwrap();
+        let file = root().join("fit-configs").join(&config.codegen.accepted).join(colour::FILE);
+        if file.exists() {
+            let table = PhaseColour::read(&file).unwrap();
+            let hash = stratiform_cli::pipeline::provenance(&config).config_hash;
+            assert_eq!((table.config_hash, table.wavelengths_um), (hash, config.colour.wavelengths_um));
+            found += 1;
+        }
+    }
+    assert!(found >= 2, "guard against checking nothing");
 }
 
 /// What a library stands below.

@@ -22,6 +22,7 @@ mod notes;
 mod optics;
 mod orders;
 mod parameters;
+mod phase_colour;
 mod place;
 mod principal_plane;
 mod provenance;
@@ -55,6 +56,7 @@ pub use parameters::{
     FittedParameter, Flag, MediumRecord, Misfit, ParameterRow, ParameterTable, ParametersCsvRow,
     ParametersDocument, RowIncidence,
 };
+pub use phase_colour::{PhaseColour, PhaseColourRow};
 pub use place::{key_line, line_of};
 pub use principal_plane::{PlaneOrder, PlaneSource, PrincipalPlaneRow};
 pub use provenance::Provenance;

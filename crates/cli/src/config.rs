@@ -10,8 +10,10 @@
 //! code, but a fault of the solver would pass into the table); hence with `photons` given the table's incidences are also
 //! traced, and both tables must agree.
 
+mod colour;
 mod family;
 
+pub use colour::ColourConfig;
 pub use family::FamilyConfig;
 
 use crate::CliError;
@@ -40,6 +42,9 @@ pub struct Config {
     pub published_table: Option<PublishedTable>,
     /// Droplets, wavelengths, index, θ_f.
     pub optics: OpticsConfig,
+    /// Wavelengths of the phase functions in colour.
+    #[serde(default)]
+    pub colour: ColourConfig,
     /// What is traced, and how long.
     pub transport: TransportConfig,
     /// Grid, bounds and angles of the fit.
@@ -231,6 +236,7 @@ impl Config {
 
     fn validate(&self) -> Result<(), Fault> {
         self.optics.resolve()?;
+        self.colour.validate(&self.optics)?;
         self.fit.check()?;
         self.radiance.iter().try_for_each(RadianceConfig::check)?;
         self.transport.validate(&self.optics)?;

@@ -1,10 +1,11 @@
-//! The chain in order: optics, reference, fit, radiance, family, codegen, witness, agreement, ladder, convergence,
+//! The chain in order: optics, reference, fit, radiance, family, codegen, colour, witness, agreement, ladder, convergence,
 //! angular books, principal plane, notes, report. Each stage leaves files and is
 //! skipped while its inputs are unchanged.
 
 pub mod accepted;
 mod agreement;
 pub mod angular_books;
+pub mod colour;
 mod convergence;
 mod curves;
 pub mod export;

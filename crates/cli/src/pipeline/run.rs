@@ -3,8 +3,8 @@
 use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
-    accepted, agreement, angular_books, convergence, curves, family, fluxes, halo, input_error, ladder,
-    notes, optics, principal_plane, published, quadrature, radiance, source,
+    accepted, agreement, angular_books, colour, convergence, curves, family, fluxes, halo, input_error,
+    ladder, notes, optics, principal_plane, published, quadrature, radiance, source,
 };
 use crate::CliError;
 use crate::config::{Config, Source};
@@ -120,6 +120,7 @@ impl Chain<'_> {
         let beside = ["family", "radiance"].map(|stage| work.hash_of_stage(stage));
         let inputs = (&before, beside, &config.codegen.targets);
         work.stage("codegen", &inputs, |dir| codegen(config, parameters, cloud, dir))?;
+        self.colour(work)?;
         self.agreement(work, parameters)?;
         self.ladder(work, parameters)?;
         self.convergence(work, &before)?;
@@ -147,6 +148,15 @@ impl Chain<'_> {
             talk.say(agreement);
         }
         Ok(())
+    }
+
+    /// Phase functions in colour; nothing where the config wants none.
+    fn colour(&self, work: &mut Workspace) -> Result<(), CliError> {
+        let Self { config, provenance, .. } = *self;
+        if config.colour.is_off() {
+            return work.without("colour");
+        }
+        work.stage("colour", &(&config.optics, &config.colour, provenance), |dir| colour::write(config, dir))
     }
 
     /// The other source, and whether both agree; nothing where there are no photons.

@@ -1,6 +1,6 @@
 //! The exchange on the device: kernels, buffers, and the passes in order.
 
-use super::{Plan, RadiosityError, Slab};
+use super::{Plan, RadiosityError, Slab, Weights};
 use crate::Radiosity;
 use bytemuck::{Pod, Zeroable};
 use stratiform_artifact::read_text;
@@ -20,28 +20,32 @@ struct Uniform {
     mu_l: f32,
     sky: [f32; 3],
     extinction_per_m: f32,
-    offset: [f32; 2],
+    whole: [u32; 2],
+    fraction: [f32; 2],
     source_mu: f32,
     field_side: u32,
     side: u32,
     samples: u32,
-    pad: [u32; 2],
 }
 
 impl Uniform {
-    #[allow(clippy::cast_possible_truncation, reason = "the device's precision; sides are checked")]
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the device's precision; sides and offsets are checked"
+    )]
     fn new(plan: &Plan) -> Self {
         Self {
             sun: plan.sun.map(|c| c as f32),
             mu_l: plan.mu_l as f32,
             sky: plan.sky.map(|c| c as f32),
             extinction_per_m: plan.extinction_per_m as f32,
-            offset: plan.offset.map(|c| c as f32),
+            whole: plan.offset.map(|texels| texels as u32),
+            fraction: plan.offset.map(|texels| (texels - libm::floor(texels)) as f32),
             source_mu: plan.source_mu as f32,
             field_side: plan.field_side as u32,
             side: plan.weights.side() as u32,
-            samples: plan.samples as u32,
-            pad: [0; 2],
+            samples: plan.texels.samples as u32,
         }
     }
 }
@@ -71,6 +75,7 @@ pub struct Buffers {
 /// Light between ground and cloud, on the device.
 #[derive(Debug)]
 pub struct Exchange {
+    slab: Slab,
     plan: Plan,
     buffers: Buffers,
     direct: Kernel,
@@ -101,7 +106,8 @@ impl Exchange {
     /// [`RadiosityError`] for what [`Plan::new`] refuses, a folder without text or parameters, or a device that fails.
     pub fn new(gpu: &Gpu, world: &World, radiosity: &Radiosity) -> Result<Self, RadiosityError> {
         let folder = &world.material.generated;
-        let plan = Plan::new(world, &Slab::load(folder)?, radiosity)?;
+        let slab = Slab::load(folder)?;
+        let plan = Plan::new(world, &slab, radiosity, Weights::between(world, radiosity)?)?;
         let fluxes = read_text(&folder.join("stratiform.wgsl"))?;
         let compile = |text: &str, entry, bindings: &[Access]| {
             gpu.kernel(&format!("{fluxes}\n{COMMON}\n{text}"), entry, bindings)
@@ -115,7 +121,7 @@ impl Exchange {
         )?;
         let gather = compile(GATHER, "radiosity_gather", &[Constant, Read, Read, Read, Read, Write, Write])?;
         let buffers = Buffers::new(gpu, world, &plan)?;
-        Ok(Self { plan, buffers, direct, sources, gather })
+        Ok(Self { slab, plan, buffers, direct, sources, gather })
     }
 
     /// Takes another moment, sun or ground of the same folder.
@@ -123,7 +129,11 @@ impl Exchange {
     /// # Errors
     /// Those of [`new`](Self::new).
     pub fn update(&mut self, gpu: &Gpu, world: &World, radiosity: &Radiosity) -> Result<(), RadiosityError> {
-        let plan = Plan::new(world, &Slab::load(&world.material.generated)?, radiosity)?;
+        let weights = match &self.plan.weights {
+            same if same.fit(world, radiosity) => same.clone(),
+            _ => Weights::between(world, radiosity)?,
+        };
+        let plan = Plan::new(world, &self.slab, radiosity, weights)?;
         if plan.field_side == self.plan.field_side && plan.weights.side() == self.plan.weights.side() {
             self.buffers.replace(gpu, world, &plan)?;
         } else {

@@ -15,12 +15,18 @@
 mod error;
 mod exchange;
 pub mod form_factor;
+mod passes;
 mod plan;
 mod slab;
+mod texels;
+mod twin;
 mod weights;
 
 pub use error::RadiosityError;
 pub use exchange::{Buffers, Exchange, Step};
-pub use plan::{MOST_PASSES, Plan, passes_for};
+pub use passes::{MOST_PASSES, kept, passes_for};
+pub use plan::Plan;
 pub use slab::Slab;
+pub use texels::Texels;
+pub use twin::{Light, Planes, Received, ground_direct, planes};
 pub use weights::Weights;

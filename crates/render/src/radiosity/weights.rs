@@ -9,13 +9,16 @@
 //! Σ w = 1 and w(-d) = w(d) for every rule: what one plane gives out is what the other receives.
 
 use super::form_factor::corner;
-use crate::RingRule;
+use crate::{Radiosity, RingRule};
 use stratiform_quantities::{DomainError, Range};
+use stratiform_world::World;
 
 /// A rule on a grid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Weights {
+    rule: RingRule,
     side: usize,
+    h: f64,
     values: Vec<f64>,
 }
 
@@ -23,6 +26,21 @@ pub struct Weights {
 const IMAGES: usize = 4;
 
 impl Weights {
+    /// Those of a world's planes.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn between(world: &World, radiosity: &Radiosity) -> Result<Self, DomainError> {
+        let texel = world.field.map().extent_m() / f64::from(radiosity.side);
+        Self::new(radiosity.rings, radiosity.side as usize, texel, world.base_m)
+    }
+
+    /// Whether [`between`](Self::between) would give these.
+    pub fn fit(&self, world: &World, radiosity: &Radiosity) -> bool {
+        let h = world.base_m / (world.field.map().extent_m() / f64::from(radiosity.side));
+        (self.rule, self.side, self.h) == (radiosity.rings, radiosity.side as usize, h)
+    }
+
     /// Of a rule for `side` x `side` texels of `texel_m`, planes `h_m` apart.
     ///
     /// # Errors
@@ -37,7 +55,7 @@ impl Weights {
             RingRule::WiderSquares => squares(side, [2.0 * h, 4.0 * h, 16.0 * h], [0.5, 0.3, 0.2]),
             RingRule::SquareWeights => squares(side, [h, 2.0 * h, 8.0 * h], [0.239, 0.315, 0.446]),
         };
-        Ok(Self { side, values })
+        Ok(Self { rule, side, h, values })
     }
 
     /// Texels a side.

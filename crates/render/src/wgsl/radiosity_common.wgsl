@@ -5,8 +5,9 @@ struct Exchange {
     sun: vec4<f32>,
     // Irradiance of a horizontal plane under the clear sky; w: extinction per metre.
     sky: vec4<f32>,
-    // From a point of the ground to where its sunlight passes the cloud's base, in periods.
-    offset: vec2<f32>,
+    // From a point of the ground to where its sunlight passes the cloud's base: texels of the height field, and what is left of one.
+    whole: vec2<u32>,
+    fraction: vec2<f32>,
     // The factor of the sun in the cloud's diffuse source: mu_l.
     source_mu: f32,
     // Texels a side of the height field.
@@ -36,18 +37,25 @@ fn sum_of_group(local: u32, mine: vec4<f32>) -> vec4<f32> {
     return select(vec4<f32>(), sum, local == 0u);
 }
 
-// Four neighbours of a point, in periods, on a periodic map, and where it lies between them.
+// Texel (x, y) of a periodic map, its eastern and northern neighbours, and where a point lies between their centres.
 struct Cell {
     corners: vec4<u32>,
     at: vec2<f32>,
 }
 
-fn cell(point: vec2<f32>, side: u32) -> Cell {
-    let scaled = (point - floor(point)) * f32(side) - 0.5;
+fn cell(west: vec2<u32>, at: vec2<f32>, side: u32) -> Cell {
+    let w = west % side;
+    let e = (w + 1u) % side;
+    return Cell(vec4<u32>(w.y * side + w.x, w.y * side + e.x, e.y * side + w.x, e.y * side + e.x), at);
+}
+
+// That of a point in periods, 0 to 1.
+fn cell_at(point: vec2<f32>, side: u32) -> Cell {
+    let scaled = point * f32(side) - 0.5;
     let below = floor(scaled);
-    let n = i32(side);
-    let west = (vec2<i32>(below) + n) % n;
-    let east = (west + 1) % n;
-    let corners = vec4<i32>(west.y * n + west.x, west.y * n + east.x, east.y * n + west.x, east.y * n + east.x);
-    return Cell(vec4<u32>(corners), scaled - below);
+    return cell(vec2<u32>(vec2<i32>(below) + i32(side)), scaled - below, side);
+}
+
+fn bilinear(corners: vec4<f32>, at: vec2<f32>) -> f32 {
+    return mix(mix(corners.x, corners.y, at.x), mix(corners.z, corners.w, at.x), at.y);
 }

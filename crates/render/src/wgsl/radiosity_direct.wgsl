@@ -8,11 +8,10 @@ fn radiosity_direct(@builtin(global_invocation_id) id: vec3<u32>) {
     if (any(id.xy >= vec2<u32>(exchange.field_side))) {
         return;
     }
-    let here = (vec2<f32>(id.xy) + 0.5) / f32(exchange.field_side);
-    let c = cell(here + exchange.offset, exchange.field_side);
-    let south = mix(thickness_m[c.corners.x], thickness_m[c.corners.y], c.at.x);
-    let north = mix(thickness_m[c.corners.z], thickness_m[c.corners.w], c.at.x);
-    let f = stratiform_beam(exchange.sun.w, exchange.sky.w * mix(south, north, c.at.y));
+    let c = cell(id.xy + exchange.whole, exchange.fraction, exchange.field_side);
+    let i = c.corners;
+    let h = bilinear(vec4<f32>(thickness_m[i.x], thickness_m[i.y], thickness_m[i.z], thickness_m[i.w]), c.at);
+    let f = stratiform_beam(exchange.sun.w, exchange.sky.w * h);
     let share = exchange.sun.w * (f.t_zero + f.t_one + f.t_two);
     direct[id.y * exchange.field_side + id.x] = vec4<f32>(share * exchange.sun.rgb, 0.0);
 }

@@ -17,16 +17,14 @@ fn radiosity_sources(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_inv
     var ground = vec4<f32>();
     for (var i = local; i < n * n; i += 64u) {
         let point = (vec2<f32>(corner + vec2<u32>(i % n, i / n)) + 0.5) / f32(exchange.side * n);
-        let c = cell(point, exchange.field_side);
-        let south = mix(thickness_m[c.corners.x], thickness_m[c.corners.y], c.at.x);
-        let north = mix(thickness_m[c.corners.z], thickness_m[c.corners.w], c.at.x);
-        let tau = exchange.sky.w * mix(south, north, c.at.y);
+        let c = cell_at(point, exchange.field_side);
+        let k = c.corners;
+        let h = bilinear(vec4<f32>(thickness_m[k.x], thickness_m[k.y], thickness_m[k.z], thickness_m[k.w]), c.at);
+        let tau = exchange.sky.w * h;
         let beam = stratiform_beam(exchange.sun.w, tau);
         let diffuse = stratiform_diffuse(tau);
         cloud += vec4<f32>(beam.t_three_plus, diffuse.t_ms, diffuse.r_ms, 0.0);
-        let lit_south = mix(direct[c.corners.x], direct[c.corners.y], c.at.x);
-        let lit_north = mix(direct[c.corners.z], direct[c.corners.w], c.at.x);
-        ground += mix(lit_south, lit_north, c.at.y);
+        ground += mix(mix(direct[k.x], direct[k.y], c.at.x), mix(direct[k.z], direct[k.w], c.at.x), c.at.y);
     }
     let cloud_mean = sum_of_group(local, cloud) / f32(n * n);
     let ground_mean = sum_of_group(local, ground) / f32(n * n);

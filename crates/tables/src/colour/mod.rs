@@ -39,6 +39,15 @@ impl SrgbPhase {
         let nodes = self.theta_deg.iter().zip(&self.rgb).map(|(theta, rgb)| (smallest(rgb), *theta));
         nodes.fold((f64::INFINITY, 0.0), |least, node| if node.0 < least.0 { node } else { least })
     }
+
+    /// Linear sRGB at Θ ∈ \[0°, 180°\]; at a jump the value on its right.
+    pub fn at(&self, theta_deg: f64) -> [f64; 3] {
+        let right = self.theta_deg.partition_point(|t| *t <= theta_deg).clamp(1, self.theta_deg.len() - 1);
+        let (a, b) = (self.rgb[right - 1], self.rgb[right]);
+        let width = self.theta_deg[right] - self.theta_deg[right - 1];
+        let t = if width > 0.0 { (theta_deg - self.theta_deg[right - 1]) / width } else { 1.0 };
+        std::array::from_fn(|c| a[c] + t * (b[c] - a[c]))
+    }
 }
 
 /// The colour of phase functions given at ascending wavelengths in µm.

@@ -1,9 +1,13 @@
 //! A material from a folder that `reproduce` wrote, or a committed one: `accepted/` with numbers, `generated/` with text.
+//!
+//! All that it reads says from which config it was made, but for `phase_full.csv`, whose P_f must be that of the parameters.
 
 use super::Material;
 use crate::WorldError;
 use std::path::Path;
-use stratiform_artifact::{ArtifactError, MediumRecord, ParametersDocument, read_json, read_text};
+use stratiform_artifact::{
+    ArtifactError, MediumRecord, ParametersDocument, PhaseColour, read_json, read_text,
+};
 use stratiform_optics::OpticsError;
 use stratiform_optics::phase::{Norm, PhaseTable};
 use stratiform_quantities::Range;
@@ -12,12 +16,15 @@ use stratiform_quantities::Range;
 const NEEDED: [&str; 7] = [
     "accepted/parameters.json",
     "accepted/phase_full.csv",
-    "accepted/phase_squared.csv",
+    "accepted/phase_colour.csv",
     "generated/parameters.json",
     "generated/stratiform.wgsl",
     "generated/stratiform_weights.wgsl",
     "generated/stratiform_phase.wgsl",
 ];
+
+/// How far P_f of a table may be from what the parameters say: between nodes the table is linear.
+const SAME_SHARE: f64 = 1e-4;
 
 impl Material {
     /// Reads `folder`.
@@ -32,8 +39,9 @@ impl Material {
         check_medium(&parameters.medium, &accepted.join("parameters.json"))?;
         check_text(folder, &parameters)?;
         let phase = read_phase(&accepted.join("phase_full.csv"))?;
-        let squared = read_phase(&accepted.join("phase_squared.csv"))?;
+        let [colour, colour_squared] = read_colour(folder, &parameters)?;
         let medium = parameters.medium;
+        check_share(&phase, &medium, &accepted)?;
         Ok(Self {
             generated,
             extinction_per_m: medium.extinction_per_m,
@@ -42,9 +50,9 @@ impl Material {
             asymmetry: medium.asymmetry,
             theta_f_deg: medium.theta_f_deg,
             forward_fraction: medium.forward_fraction,
-            colour: [phase.clone(), phase.clone(), phase.clone()],
-            colour_squared: [squared.clone(), squared.clone(), squared],
             phase,
+            colour,
+            colour_squared,
         })
     }
 }
@@ -101,8 +109,46 @@ fn check_text(folder: &Path, parameters: &ParametersDocument) -> Result<(), Worl
 
 /// A normalised table; what is wrong with its norm is told with the file's name.
 fn read_phase(file: &Path) -> Result<PhaseTable, WorldError> {
-    PhaseTable::read(file, Norm::Strict).map_err(|error| match error {
+    PhaseTable::read(file, Norm::Strict).map_err(|error| told(file, error))
+}
+
+/// That the table has the share of forward scattering that the parameters were fitted with.
+fn check_share(phase: &PhaseTable, medium: &MediumRecord, accepted: &Path) -> Result<(), WorldError> {
+    let found = if medium.theta_f_deg > 0.0 { phase.forward_fraction(medium.theta_f_deg)? } else { 0.0 };
+    if (found - medium.forward_fraction).abs() < SAME_SHARE {
+        return Ok(());
+    }
+    let message = format!(
+        "phase_full.csv sends {found} of its light below {} degrees, parameters.json says {}",
+        medium.theta_f_deg, medium.forward_fraction
+    );
+    Err(refused(accepted, message))
+}
+
+/// P and P² in red, green and blue.
+fn read_colour(folder: &Path, parameters: &ParametersDocument) -> Result<[[PhaseTable; 3]; 2], WorldError> {
+    let file = folder.join("accepted/phase_colour.csv");
+    let table = PhaseColour::read(&file)?;
+    let expected = &parameters.provenance.config_hash;
+    if table.config_hash != *expected {
+        let found = &table.config_hash;
+        let message = format!(
+            "phase_colour.csv was made from config {found}, parameters.json beside it from {expected}"
+        );
+        return Err(refused(folder, message));
+    }
+    let theta: Vec<f64> = table.rows.iter().map(|row| row.theta_deg).collect();
+    let channel = |k: usize, c: usize| {
+        let p = table.rows.iter().map(|row| row.channels()[k][c]).collect();
+        PhaseTable::new(theta.clone(), p, Norm::Strict).map_err(|error| told(&file, error))
+    };
+    let channels = |k| Ok::<_, WorldError>([channel(k, 0)?, channel(k, 1)?, channel(k, 2)?]);
+    Ok([channels(0)?, channels(1)?])
+}
+
+fn told(file: &Path, error: OpticsError) -> WorldError {
+    match error {
         OpticsError::NotNormalised { .. } => ArtifactError::format(file, None, error.to_string()).into(),
         other => other.into(),
-    })
+    }
 }

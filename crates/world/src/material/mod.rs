@@ -1,4 +1,9 @@
 //! What the cloud consists of.
+//!
+//! Colour is in the phase functions alone: κ, P_f and g are those of one wavelength (0.55 µm). Of the paper's cloud that leaves out,
+//! from 0.47 to 0.63 µm: κ -0.6 to +0.6 % (physical extinction; the paper's has no colour); 1 - P_f -1.7 to +1.7 %, to
+//! which order 1 of thick layers is proportional; 1 - g -1.8 to +2.1 %, to which the reflection of thin layers is. Real clouds are that much
+//! redder in what they reflect and bluer in what they let through (`cargo run -p stratiform-cli --example colour_tables`).
 
 mod load;
 
@@ -25,8 +30,8 @@ pub struct Material {
     pub forward_fraction: f64,
     /// P at the wavelength of the tables.
     pub phase: PhaseTable,
-    /// P in linear sRGB.
+    /// P in linear sRGB: red, green, blue.
     pub colour: [PhaseTable; 3],
-    /// P² in linear sRGB.
+    /// P_S convolved with itself on the sphere, of every wavelength's own P_S, likewise.
     pub colour_squared: [PhaseTable; 3],
 }
