@@ -20,6 +20,10 @@ pub struct AblationRow {
     pub difference: f64,
     /// Mean of FLIP.
     pub flip: f64,
+    /// Columns of the picture that was drawn and timed; a truth has fewer.
+    pub width: u64,
+    /// Rows.
+    pub height: u64,
     /// The device's time for a frame, milliseconds; empty where it has no clock.
     pub ms: Option<f64>,
     /// What the change saves of it.

@@ -101,6 +101,8 @@ fn write(dir: &Path) {
         rise,
         difference: 0.02,
         flip: 0.05,
+        width: 128,
+        height: 72,
         ms: None,
         ms_saved: None,
     };
