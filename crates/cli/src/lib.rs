@@ -4,6 +4,8 @@
 pub mod args;
 pub mod check;
 mod commands;
+#[cfg(feature = "gpu")]
+pub mod compare;
 pub mod config;
 mod error;
 mod interrupt;
