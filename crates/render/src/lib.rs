@@ -21,6 +21,7 @@ mod error;
 mod field;
 mod generated;
 mod ground_light;
+mod outside;
 mod phase_table;
 mod pyramid;
 pub mod radiosity;

@@ -6,16 +6,15 @@
 mod device;
 mod worlds;
 
-use stratiform_gpu::Gpu;
 use stratiform_imaging::Image;
 use stratiform_render::{Contributions, Model, Renderer, Settings};
 use stratiform_world::{Camera, Contribution, World};
 
 const SIZE: [usize; 2] = [64, 36];
 
-fn draw(gpu: &Gpu, world: &World, model: Model, contributions: Contributions) -> Image {
-    let settings = Settings { model, contributions, ..Settings::default() };
-    Renderer::new(gpu, world, &settings).unwrap().draw().unwrap()
+fn draw(renderer: &mut Renderer, world: &World, model: Model, contributions: Contributions) -> Image {
+    renderer.update(world, &Settings { model, contributions, ..Settings::default() }).unwrap();
+    renderer.draw().unwrap()
 }
 
 /// Below and towards the sun, so that the halo is in the picture; and above.
@@ -35,13 +34,15 @@ fn each_changes_the_picture_and_their_sum_is_the_whole() {
     for camera in cameras() {
         let world = worlds::world(worlds::hills(64, 300.0), camera, 0.4);
         for model in [Model::Fitted, Model::Angular] {
-            let whole = draw(&gpu, &world, model, Contributions::all());
+            let settings = Settings { model, ..Settings::default() };
+            let mut renderer = Renderer::new(&gpu, &world, &settings).unwrap();
+            let whole = draw(&mut renderer, &world, model, Contributions::all());
             let mut sum = vec![[0.0_f32; 3]; whole.pixels().len()];
             for contribution in Contribution::ALL {
-                let without = draw(&gpu, &world, model, Contributions::all().without(contribution));
+                let without = draw(&mut renderer, &world, model, Contributions::all().without(contribution));
                 let absent = absent(contribution, model, &camera);
                 assert_eq!(without == whole, absent, "{model:?} {contribution:?} at {}", camera.position.z);
-                let only = draw(&gpu, &world, model, Contributions::none().with(contribution));
+                let only = draw(&mut renderer, &world, model, Contributions::none().with(contribution));
                 for (sum, only) in sum.iter_mut().zip(only.pixels()) {
                     *sum = std::array::from_fn(|c| sum[c] + only[c]);
                 }

@@ -48,6 +48,19 @@ impl PhaseLookup<f64> for Channel<'_> {
     }
 }
 
+/// What the models know of a cloud.
+struct Cloud {
+    coefficients: Coefficients<f64>,
+    fluxes: radiosity::Slab,
+}
+
+fn cloud(material: &Material) -> Cloud {
+    Cloud {
+        coefficients: coefficients(material),
+        fluxes: radiosity::Slab::load(&material.generated).unwrap(),
+    }
+}
+
 fn coefficients(material: &Material) -> Coefficients<f64> {
     let folder = material.generated.join("../accepted");
     let document: RadianceParametersDocument = read_json(&folder.join("radiance_parameters.json")).unwrap();
@@ -61,7 +74,7 @@ fn coefficients(material: &Material) -> Coefficients<f64> {
 }
 
 /// L/F0 of light that met wide events.
-fn expected(world: &World, model: Model, x: usize, y: usize, c: usize) -> f64 {
+fn expected(world: &World, cloud: &Cloud, model: Model, x: usize, y: usize, c: usize) -> f64 {
     let d = world.camera.ray(x as f64 + 0.5, y as f64 + 0.5);
     let sun = world.sun.direction;
     let side = if d.z < 0.0 { Side::Top } else { Side::Bottom };
@@ -72,9 +85,9 @@ fn expected(world: &World, model: Model, x: usize, y: usize, c: usize) -> f64 {
     let kept = 1.0 - channel.full.cumulative_at(material.theta_f_deg.to_radians());
     let slab = Angular::new(kept * tau, sight).unwrap();
     let factor = match model {
-        Model::Fitted => slab.one(&channel) + Slab::new(&coefficients(material), tau, sight).unwrap().more(),
+        Model::Fitted => slab.one(&channel) + Slab::new(&cloud.coefficients, tau, sight).unwrap().more(),
         Model::Angular => {
-            let fluxes = radiosity::Slab::load(&material.generated).unwrap().beam(sun.z, tau).unwrap();
+            let fluxes = cloud.fluxes.beam(sun.z, tau).unwrap();
             let emission = if side == Side::Top { Emission::Lambertian } else { Emission::Escape };
             slab.orders(&channel, &fluxes, emission).total()
         }
@@ -89,10 +102,11 @@ fn worst(gpu: &stratiform_gpu::Gpu, model: Model, camera: Camera, thickness: f64
         .fold(Contributions::none(), Contributions::with);
     let settings = Settings { model, contributions, ..Settings::default() };
     let image = Renderer::new(gpu, &world, &settings).unwrap().draw().unwrap();
+    let cloud = cloud(&world.material);
     let mut worst = 0.0_f64;
     for (index, pixel) in image.pixels().iter().enumerate() {
         for (c, value) in pixel.iter().enumerate() {
-            let expected = expected(&world, model, index % SIZE[0], index / SIZE[0], c);
+            let expected = expected(&world, &cloud, model, index % SIZE[0], index / SIZE[0], c);
             worst = worst.max((f64::from(*value) / expected - 1.0).abs());
         }
     }

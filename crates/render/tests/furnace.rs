@@ -37,7 +37,7 @@ fn every_pixel_is_one() {
     let Some(gpu) = device::device() else { return };
     let usual = Settings::default();
     let settings = Settings { radiosity: Radiosity { error: 1e-5, ..usual.radiosity }, ..usual };
-    let cameras = [worlds::below(SIZE), worlds::above(SIZE), worlds::camera(worlds::BASE + 250.0, 3.0, SIZE)];
+    let cameras = [worlds::below(SIZE), worlds::above(SIZE), worlds::between(SIZE)];
     for camera in cameras {
         for (model, depth) in [(Model::Fitted, Depth::Local), (Model::Angular, Depth::Chord)] {
             let world = furnace(worlds::hills(64, 400.0), camera);

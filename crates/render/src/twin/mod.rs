@@ -41,7 +41,8 @@ impl Twin {
     /// [`RenderError`] for a world that cannot be drawn, and for files that are missing.
     pub fn new(world: &World, settings: &Settings, light: GroundLight) -> Result<Self, RenderError> {
         check(world)?;
-        let view = View::new(world, settings, &Levels::new(world.field.map().side() as u32));
+        let levels = Levels::new(world.field.map().side() as u32);
+        let view = View::new(world, settings, &levels, &world.sky.table());
         Ok(Self {
             view,
             settings: *settings,

@@ -5,20 +5,21 @@ use crate::GroundLight;
 use crate::view::View;
 use glam::Vec3;
 use std::f32::consts::FRAC_1_PI;
-use stratiform_world::World;
+use stratiform_world::{SkyTable, World};
 
 /// What is behind the cloud and lights it.
 #[derive(Debug)]
 pub struct Surroundings {
     view: View,
     albedo: Vec<[f32; 3]>,
+    sky: SkyTable,
     light: GroundLight,
 }
 
 impl Surroundings {
     pub fn new(world: &World, view: View, light: GroundLight) -> Self {
         let albedo = world.ground.albedo.values().iter().map(|a| a.map(|c| c as f32)).collect();
-        Self { view, albedo, light }
+        Self { view, albedo, sky: world.sky.table(), light }
     }
 
     /// Radiance from `direction` where no cloud is.
@@ -27,7 +28,8 @@ impl Surroundings {
         if d.z > 0.0 {
             let apart = d - vector(v.sun);
             let disc = 0.5 * apart.dot(apart) <= v.disc_versine;
-            return vector(v.sky_uniform) + if disc { vector(v.disc_radiance) } else { Vec3::ZERO };
+            let sky = self.sky.radiance(d.as_dvec3()).map(|l| l as f32);
+            return vector(sky) + if disc { vector(v.disc_radiance) } else { Vec3::ZERO };
         }
         let way = v.position[2] / -d.z;
         let place = [way * d.x, way * d.y];
