@@ -16,6 +16,8 @@ pub fn settings(args: &RenderArgs, scene: &Scene) -> Result<Settings, CliError> 
         Rings::AsPrinted => RingRule::AsPrinted,
         Rings::WiderSquares => RingRule::WiderSquares,
         Rings::SquareWeights => RingRule::SquareWeights,
+        Rings::Exact => RingRule::Exact,
+        Rings::LeastSquares => RingRule::LeastSquares,
     };
     let usual = Settings::default();
     Ok(Settings {
