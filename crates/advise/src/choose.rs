@@ -6,7 +6,7 @@ use crate::{Advice, AdviseError, Bounce, Budget, Channels, Data, Prediction, Rej
 use crate::{emitted, extent};
 use std::cmp::Ordering;
 use stratiform_artifact::ErrorMethod;
-use stratiform_scene::{Effect, Interval, Scene};
+use stratiform_scene::{Effect, Ground, Interval, Scene};
 
 /// ρ where the scene's ground is seen and nobody says: grass and soil.
 const GROUND_ALBEDO: f64 = 0.2;
@@ -199,7 +199,7 @@ fn bounce(
     budget: &Budget,
     ground_albedo: Option<f64>,
 ) -> Result<Option<Bounce>, AdviseError> {
-    let own = scene.ground.map(|ground| ground.albedo);
+    let own = scene.ground.as_ref().and_then(Ground::mean_albedo);
     let ground_albedo = ground_albedo.or(own).unwrap_or(GROUND_ALBEDO);
     stratiform_quantities::Range::closed(0.0, 1.0).check("ground albedo", ground_albedo)?;
     if !scene.visible.contains(&Effect::GroundBounce) {

@@ -16,7 +16,8 @@ pub use sequence::{Access, Buffer, Kernel, Pass};
 
 use pollster::block_on;
 
-/// A device and its queue.
+/// A device and its queue; a clone is the same device.
+#[derive(Clone, Debug)]
 pub struct Gpu {
     device: wgpu::Device,
     queue: wgpu::Queue,

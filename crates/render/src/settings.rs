@@ -1,5 +1,7 @@
 //! What is drawn, and how.
 
+use stratiform_model::Form;
+use stratiform_model::angular::Emission;
 use stratiform_world::Contribution;
 
 /// How the sun's light leaves the cloud.
@@ -21,6 +23,8 @@ pub enum RingRule {
     WiderSquares,
     /// Levels 0, 1, 3 with the weights of squares, 0.239, 0.315, 0.446 (0.135, 0.390, 0.476 by level).
     SquareWeights,
+    /// No squares: every texel with its own form factor.
+    Exact,
 }
 
 /// Light between ground and cloud.
@@ -34,6 +38,8 @@ pub struct Radiosity {
     pub error: f64,
     /// The weights.
     pub rings: RingRule,
+    /// Whether shadows and the cloud's source are as printed (parallax h sinθ_l, no cosθ_l) or corrected (h tanθ_l, cosθ_l).
+    pub form: Form,
 }
 
 /// A set of contributions.
@@ -72,6 +78,33 @@ impl Contributions {
     }
 }
 
+/// Thickness H of the slab that stands for the cloud at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Depth {
+    /// The thickness above the base where the line of sight meets the cloud.
+    Local,
+    /// l μ_v of the way l that the line of sight goes in the cloud; the cloud is then as transparent as it is.
+    Chord,
+}
+
+/// Whose normal the sun's light of one and two events leaves the cloud by; that of more leaves it by the vertical.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Normals {
+    /// The face's own, as in section 6 of the paper.
+    Local,
+    /// The vertical.
+    Vertical,
+}
+
+/// The shapes of light of three and more events in the angular model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Emissions {
+    /// Where viewer and sun are on the same side.
+    pub top: Emission,
+    /// Where they are not.
+    pub bottom: Emission,
+}
+
 /// What is drawn, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
@@ -81,11 +114,24 @@ pub struct Settings {
     pub contributions: Contributions,
     /// Light between ground and cloud.
     pub radiosity: Radiosity,
+    /// H.
+    pub depth: Depth,
+    /// Normals of the sun's light.
+    pub normals: Normals,
+    /// Shapes of its last orders, of [`Model::Angular`].
+    pub emission: Emissions,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        let radiosity = Radiosity { side: 16, passes: None, error: 1e-3, rings: RingRule::WiderSquares };
-        Self { model: Model::Fitted, contributions: Contributions::all(), radiosity }
+        let (rings, form) = (RingRule::Exact, Form::Corrected);
+        Self {
+            model: Model::Fitted,
+            contributions: Contributions::all(),
+            radiosity: Radiosity { side: 16, passes: None, error: 1e-3, rings, form },
+            depth: Depth::Local,
+            normals: Normals::Local,
+            emission: Emissions { top: Emission::Lambertian, bottom: Emission::Escape },
+        }
     }
 }

@@ -1,10 +1,11 @@
 //! A range of a quantity that a scene covers.
 
-use serde::{Deserialize, Serialize};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 
-/// From `min` to `max`, both included; they may be equal.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// From `min` to `max`, both included; they may be equal, and then one number may be written for both.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Interval {
     /// Lower end.
     pub min: f64,
@@ -13,6 +14,16 @@ pub struct Interval {
 }
 
 impl Interval {
+    /// One value.
+    pub const fn at(value: f64) -> Self {
+        Self { min: value, max: value }
+    }
+
+    /// The value, if there is but one.
+    pub fn single(&self) -> Option<f64> {
+        (self.min == self.max).then_some(self.min)
+    }
+
     /// `count` values from end to end in equal steps; one value where both ends are the same, the middle for a count of one.
     pub fn linear(&self, count: usize) -> Vec<f64> {
         self.spaced(count, |share| self.min + share * (self.max - self.min))
@@ -41,6 +52,42 @@ impl Interval {
     }
 }
 
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Ends {
+    min: f64,
+    max: f64,
+}
+
+struct NumberOrEnds;
+
+impl<'de> Visitor<'de> for NumberOrEnds {
+    type Value = Interval;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("a number or { min = .., max = .. }")
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Interval, E> {
+        Ok(Interval::at(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Interval, E> {
+        Ok(Interval::at(value as f64))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Interval, A::Error> {
+        let Ends { min, max } = Ends::deserialize(MapAccessDeserializer::new(map))?;
+        Ok(Interval { min, max })
+    }
+}
+
+impl<'de> Deserialize<'de> for Interval {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(NumberOrEnds)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -57,5 +104,6 @@ mod tests {
             [1.0, 2.0, 4.0]
         );
         assert!(tens.contains(10.0) && !tens.contains(9.9));
+        assert_eq!((tens.single(), Interval::at(2.0).single()), (None, Some(2.0)));
     }
 }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use stratiform_quantities::{ExtinctionConvention, SingleScatteringAlbedo};
 
 /// `[layer]`: how thick. One of the two keys stands there.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Layer {
     /// κH of the full medium.

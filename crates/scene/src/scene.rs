@@ -1,12 +1,15 @@
-//! The schema and its checks.
+//! The schema, and how a file becomes a scene.
 
-use crate::{Droplets, Effect, Interval, Layer, SceneError};
+use crate::fault::Fault;
+use crate::{Camera, Clouds, Droplets, Effect, Ground, Interval, Layer, Picture, Radiosity, SceneError, Sky};
+use crate::{Sun, check, check_picture};
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use stratiform_artifact::{key_line, line_of, read_text};
-use stratiform_quantities::{DomainError, Range, Side};
+use stratiform_artifact::{line_of, read_text};
+use stratiform_quantities::{ExtinctionConvention, Side};
 
-/// The whole file.
+/// The whole file. With a camera and clouds it is a picture too.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
@@ -19,33 +22,34 @@ pub struct Scene {
     /// What the picture shows.
     #[serde(default)]
     pub visible: Vec<Effect>,
-    /// How thick the cloud is.
+    /// How thick the cloud is; a picture may leave it to its clouds.
+    #[serde(default)]
     pub layer: Layer,
     /// What it consists of.
     pub droplets: Droplets,
     /// Where the sun stands.
     pub sun: Sun,
-    /// Where light goes.
+    /// Where light goes; a picture may leave it to its camera.
+    #[serde(default)]
     pub view: View,
     /// What lies below the cloud.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ground: Option<Ground>,
-}
-
-/// `[ground]`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Ground {
-    /// Share of the light that it gives back, the same in all directions.
-    pub albedo: f64,
-}
-
-/// `[sun]`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Sun {
-    /// Angle to the normal.
-    pub theta_deg: Interval,
+    /// Where the picture is seen from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub camera: Option<Camera>,
+    /// Its clouds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clouds: Option<Clouds>,
+    /// Light from above other than the sun's.
+    #[serde(default)]
+    pub sky: Sky,
+    /// How radiance becomes a picture.
+    #[serde(default)]
+    pub picture: Picture,
+    /// Light between ground and cloud.
+    #[serde(default)]
+    pub radiosity: Radiosity,
 }
 
 /// `[view]`.
@@ -58,6 +62,20 @@ pub struct View {
     pub azimuth_deg: Interval,
     /// The faces that are seen: `top` from above, `bottom` from below.
     pub sides: Vec<Side>,
+}
+
+impl Default for View {
+    /// Of nothing: what stands there until the camera says.
+    fn default() -> Self {
+        Self { theta_deg: Interval::at(0.0), azimuth_deg: Interval::at(0.0), sides: Vec::new() }
+    }
+}
+
+/// Which tables stand in the file.
+#[derive(Deserialize)]
+struct Written {
+    layer: Option<IgnoredAny>,
+    view: Option<IgnoredAny>,
 }
 
 impl Scene {
@@ -77,129 +95,55 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] with `origin` and line.
     pub fn parse(text: &str, origin: &str) -> Result<Self, SceneError> {
-        let scene: Self = toml::from_str(text).map_err(|error| {
+        let syntax = |error: toml::de::Error| {
             let line = error.span().map_or(1, |span| line_of(text, span.start));
             SceneError::Syntax { place: format!("{origin}:{line}"), message: error.message().to_owned() }
-        })?;
-        scene.check().map_err(|fault| fault.at(text, origin))?;
+        };
+        let mut scene: Self = toml::from_str(text).map_err(syntax)?;
+        let written: Written = toml::from_str(text).map_err(syntax)?;
+        scene.complete(&written).map_err(|fault| fault.at(text, origin))?;
         Ok(scene)
     }
 
-    fn check(&self) -> Result<(), Fault> {
-        if self.schema != Self::SCHEMA {
-            return Err(Fault::contents(
-                "schema",
-                format!("schema `{}` is not `{}`", self.schema, Self::SCHEMA),
-            ));
+    /// The ground of a picture that says nothing about it: that of Bouthors, Neyret & Lefebvre 2006, 20 %.
+    pub fn ground_or_default(&self) -> Ground {
+        self.ground.clone().unwrap_or_else(|| Ground::grey(0.2))
+    }
+
+    /// Checks what is written, then derives what a picture leaves out.
+    fn complete(&mut self, written: &Written) -> Result<(), Fault> {
+        check_picture::check(self)?;
+        if written.view.is_none() {
+            self.view = self.derived_view()?;
         }
-        self.check_layer()?;
-        self.check_droplets()?;
-        let below_horizon = Range { max_included: false, ..Range::closed(0.0, 90.0) };
-        check_interval("sun.theta_deg", &self.sun.theta_deg, below_horizon)?;
-        check_interval("view.theta_deg", &self.view.theta_deg, below_horizon)?;
-        check_interval("view.azimuth_deg", &self.view.azimuth_deg, Range::closed(0.0, 180.0))?;
-        for wavelength in &self.wavelengths_um {
-            Range::closed(0.2, 4.0).check("wavelengths_um", *wavelength)?;
+        if written.layer.is_none() {
+            self.layer = self.derived_layer()?;
         }
-        if let Some(ground) = &self.ground {
-            Range::closed(0.0, 1.0).check("ground.albedo", ground.albedo)?;
-        }
-        listed_once("wavelengths_um", &self.wavelengths_um)?;
-        listed_once("view.sides", &self.view.sides)?;
-        if self.visible.is_empty() { Ok(()) } else { listed_once("visible", &self.visible) }
+        check::check(self)
     }
 
-    fn check_layer(&self) -> Result<(), Fault> {
-        let Layer { optical_thickness, thickness_m, extinction_convention } = &self.layer;
-        match (optical_thickness, thickness_m) {
-            (Some(tau), None) => check_interval(
-                "layer.optical_thickness",
-                tau,
-                Range { min_included: false, ..Range::closed(0.0, 1e4) },
-            ),
-            (None, Some(metres)) => {
-                let missing = |key: &str| {
-                    Fault::contents(
-                        "layer.thickness_m",
-                        format!("{key} is missing: a thickness in metres needs it"),
-                    )
-                };
-                extinction_convention.ok_or_else(|| missing("layer.extinction_convention"))?;
-                self.droplets
-                    .number_density_per_cm3
-                    .ok_or_else(|| missing("droplets.number_density_per_cm3"))?;
-                check_interval(
-                    "layer.thickness_m",
-                    metres,
-                    Range { min_included: false, ..Range::closed(0.0, 1e5) },
-                )
-            }
-            _ => {
-                let message = "layer needs one of optical_thickness and thickness_m, not both";
-                Err(Fault::contents("layer.thickness_m", message.to_owned()))
-            }
-        }
+    fn derived_view(&self) -> Result<View, Fault> {
+        let (Some(camera), Some(clouds)) = (&self.camera, &self.clouds) else {
+            return Err(Fault::contents("view", "view is missing: a scene without camera needs it"));
+        };
+        camera.view(clouds.base_m, self.sun.azimuth_deg).ok_or_else(|| {
+            let message = "the camera does not look at the cloud: write [view] if that is meant";
+            Fault::contents("camera.elevation_deg", message)
+        })
     }
 
-    fn check_droplets(&self) -> Result<(), Fault> {
-        let droplets = &self.droplets;
-        check_interval(
-            "droplets.effective_radius_um",
-            &droplets.effective_radius_um,
-            Range::closed(0.1, 100.0),
-        )?;
-        // γ = 1/v_e - 2 must be positive.
-        Range::open(0.0, 0.5).check("droplets.effective_variance", droplets.effective_variance)?;
-        Range::open(0.0, 90.0).check("droplets.theta_f_deg", droplets.theta_f_deg)?;
-        if let Some(number) = droplets.number_density_per_cm3 {
-            Range::closed(1e-6, 1e9).check("droplets.number_density_per_cm3", number)?;
-        }
-        Ok(())
-    }
-}
-
-/// What is wrong, and under which key.
-enum Fault {
-    Domain(DomainError),
-    Inverted(String, Interval),
-    Contents(String, String),
-}
-
-impl Fault {
-    fn contents(key: &str, message: String) -> Self {
-        Self::Contents(key.to_owned(), message)
-    }
-
-    fn at(self, text: &str, origin: &str) -> SceneError {
-        let place = |key: &str| format!("{origin}:{}", key_line(text, key).unwrap_or(1));
-        match self {
-            Self::Domain(source) => SceneError::Domain { place: place(&source.quantity), source },
-            Self::Inverted(key, Interval { min, max }) => {
-                SceneError::Inverted { place: place(&key), key, min, max }
-            }
-            Self::Contents(key, message) => SceneError::Contents { place: place(&key), message },
-        }
-    }
-}
-
-impl From<DomainError> for Fault {
-    fn from(error: DomainError) -> Self {
-        Self::Domain(error)
-    }
-}
-
-fn check_interval(key: &str, interval: &Interval, range: Range) -> Result<(), Fault> {
-    range.check(&format!("{key}.min"), interval.min)?;
-    range.check(&format!("{key}.max"), interval.max)?;
-    if interval.max < interval.min { Err(Fault::Inverted(key.to_owned(), *interval)) } else { Ok(()) }
-}
-
-fn listed_once<T: PartialEq + std::fmt::Debug>(key: &str, list: &[T]) -> Result<(), Fault> {
-    if list.is_empty() {
-        return Err(Fault::contents(key, format!("{key} is empty: list at least one")));
-    }
-    match list.iter().enumerate().find(|(i, item)| list[..*i].contains(item)) {
-        Some((_, item)) => Err(Fault::contents(key, format!("{key} lists {item:?} twice"))),
-        None => Ok(()),
+    fn derived_layer(&self) -> Result<Layer, Fault> {
+        let clouds = self
+            .clouds
+            .as_ref()
+            .ok_or_else(|| Fault::contents("layer", "layer is missing: a scene without clouds needs it"))?;
+        let range = clouds.thickness_range_m().ok_or_else(|| {
+            Fault::contents("clouds.file", "layer is missing: a scene whose clouds come from a file needs it")
+        })?;
+        Ok(Layer {
+            optical_thickness: None,
+            thickness_m: Some(range),
+            extinction_convention: Some(ExtinctionConvention::Paper),
+        })
     }
 }

@@ -57,7 +57,7 @@ fn ranges_that_are_empty_inverted_or_no_numbers_are_refused_with_their_line() {
 fn the_ground_has_an_albedo_or_is_left_out() {
     assert_eq!(named("thick-overcast").unwrap().ground, None);
     let with = |albedo: &str| Scene::parse(&format!("{}\n[ground]\nalbedo = {albedo}\n", text()), "a.toml");
-    assert_eq!(with("0.8").unwrap().ground.unwrap().albedo, 0.8);
+    assert_eq!(with("0.8").unwrap().ground.unwrap().mean_albedo(), Some(0.8));
     for albedo in ["-0.1", "1.1", "nan"] {
         assert!(with(albedo).unwrap_err().to_string().contains("ground.albedo"), "{albedo}");
     }

@@ -17,6 +17,8 @@ pub enum Purpose {
     RadianceAtViews(u32),
     /// Radiance in angular bins; its number likewise.
     RadianceInBins(u32),
+    /// Paths of light through a picture; the index is the pixel's times 2³² plus the sample's.
+    Picture,
     /// Random inputs of tests and calibrations.
     Calibration,
 }
@@ -29,6 +31,7 @@ impl Purpose {
             Purpose::Calibration => 3 << 32,
             Purpose::RadianceAtViews(which) => (4 << 32) | u64::from(which),
             Purpose::RadianceInBins(which) => (5 << 32) | u64::from(which),
+            Purpose::Picture => 6 << 32,
         }
     }
 }

@@ -15,10 +15,13 @@ impl HeightField {
     /// Of thicknesses in metres.
     ///
     /// # Errors
-    /// [`WorldError::Domain`] for one that is negative or not finite.
+    /// [`WorldError::Domain`] names a texel that is negative or not finite.
     pub fn new(map: Map<f64>) -> Result<Self, WorldError> {
-        for thickness in map.values() {
-            Range::closed(0.0, 1e5).check("thickness_m", *thickness)?;
+        let domain = Range::closed(0.0, 1e5);
+        if let Some((i, value)) = map.values().iter().enumerate().find(|(_, value)| !domain.contains(**value))
+        {
+            let (x, y) = (i % map.side(), i / map.side());
+            domain.check(&format!("thickness_m of texel ({x}, {y}), east and north,"), *value)?;
         }
         let most = map.values().iter().copied().fold(0.0, f64::max);
         Ok(Self { map, most })

@@ -4,10 +4,13 @@
 //! with one extinction everywhere. Directions are unit vectors; the sun's points to it. Radiance and irradiance are in
 //! units of the sun's irradiance normal to its beam (luminance 1), linear sRGB.
 
+mod build;
 mod camera;
 mod contribution;
 mod error;
+mod field;
 mod ground;
+mod ground_map;
 mod height_field;
 mod light;
 mod map;

@@ -142,9 +142,14 @@ fn any_scene(share: &mut impl FnMut() -> f64, pool: &Pool, spread: bool, title: 
             number_density_per_cm3: None,
             single_scattering_albedo: SingleScatteringAlbedo::new(1.0).ok(),
         },
-        sun: Sun { theta_deg: sun },
+        sun: Sun::at(sun),
         view: View { theta_deg: view, azimuth_deg: azimuth, sides },
         ground: None,
+        camera: None,
+        clouds: None,
+        sky: Default::default(),
+        picture: Default::default(),
+        radiosity: Default::default(),
     }
 }
 

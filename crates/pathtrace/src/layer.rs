@@ -1,0 +1,217 @@
+//! The cloud as rays see it: exact lengths of straight lines within `base <= z <= base + H(x, y)`.
+//!
+//! Up to the least thickness a ray is inside, above the greatest outside. Between them it is followed through blocks of texels, each with
+//! its least and greatest thickness, and texel by texel where these do not tell (Amanatides & Woo 1987). Over one texel H is bilinear,
+//! z - base - H a parabola along the ray, and its roots are closed forms. No majorant, no null collisions.
+
+mod patch;
+mod stepper;
+
+use glam::DVec3;
+use patch::Patch;
+use stepper::Stepper;
+use stratiform_world::HeightField;
+
+/// Largest number of texels along a block.
+const BLOCK: usize = 8;
+
+/// A half-line that is not horizontal.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ray {
+    pub(crate) origin: DVec3,
+    /// Of length 1.
+    pub(crate) direction: DVec3,
+}
+
+impl Ray {
+    pub(crate) fn at(&self, t: f64) -> DVec3 {
+        self.origin + self.direction * t
+    }
+}
+
+/// Where a length within the cloud ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum End {
+    /// At this distance along the ray.
+    Inside(f64),
+    /// Nowhere: the ray has left for good, after so many metres within the cloud.
+    Left(f64),
+}
+
+/// The periodic layer.
+pub(crate) struct Layer {
+    base: f64,
+    side: usize,
+    texels_per_m: f64,
+    heights: Vec<f64>,
+    /// Least and greatest thickness.
+    all: [f64; 2],
+    /// Texels along a block, blocks along the map, and of each block the least and the greatest thickness.
+    block: usize,
+    blocks: usize,
+    bounds: Vec<[f64; 2]>,
+}
+
+impl Layer {
+    pub(crate) fn new(field: &HeightField, base: f64) -> Self {
+        let (map, side) = (field.map(), field.map().side());
+        let block = (1..=BLOCK.min(side)).rev().find(|k| side.is_multiple_of(*k)).unwrap_or(1);
+        let heights = map.values().to_vec();
+        let blocks = side / block;
+        let bounds = (0..blocks * blocks).map(|i| {
+            // Patches reach to the next texel.
+            let (x, y) = (i % blocks * block, i / blocks * block);
+            let texels = (0..=block).flat_map(|dy| (0..=block).map(move |dx| (dx, dy)));
+            span(texels.map(|(dx, dy)| heights[(y + dy) % side * side + (x + dx) % side]))
+        });
+        let bounds = bounds.collect();
+        let all = span(heights.iter().copied());
+        let texels_per_m = side as f64 / map.extent_m();
+        Self { base, side, texels_per_m, heights, all, block, blocks, bounds }
+    }
+
+    /// Follows `ray` until it has run `length` metres within the cloud.
+    #[inline]
+    pub(crate) fn follow(&self, ray: &Ray, length: f64) -> End {
+        let z = ray.origin.z - self.base;
+        let slope = 1.0 / ray.direction.z;
+        let cross = |height: f64| (height - z) * slope;
+        let [low, middle, high] = [cross(0.0), cross(self.all[0]), cross(self.all[1])];
+        let mut run = Run { left: length, inside: 0.0 };
+        let end = if slope > 0.0 {
+            run.through(low, middle).or_else(|| self.rough(ray, middle, high, &mut run))
+        } else {
+            self.rough(ray, high, middle, &mut run).or_else(|| run.through(middle, low))
+        };
+        end.map_or(End::Left(run.inside), End::Inside)
+    }
+
+    /// Length of the whole ray within the cloud.
+    pub(crate) fn chord(&self, ray: &Ray) -> f64 {
+        match self.follow(ray, f64::INFINITY) {
+            End::Left(inside) | End::Inside(inside) => inside,
+        }
+    }
+
+    /// Between least and greatest thickness: the blocks.
+    fn rough(&self, ray: &Ray, from: f64, to: f64, run: &mut Run) -> Option<f64> {
+        let from = from.max(0.0);
+        if from >= to {
+            return None;
+        }
+        let size = self.block as f64;
+        let mut blocks = Stepper::new(self.to_texels(ray), 1.0 / size, from);
+        loop {
+            let [x, y] = blocks.cell;
+            let (start, end) = (blocks.start, blocks.end().min(to));
+            let wrap = |k: i64| k.rem_euclid(self.blocks as i64) as usize;
+            let bounds = self.bounds[wrap(y) * self.blocks + wrap(x)];
+            let found = match self.tell(ray, start, end, bounds) {
+                Some(true) => run.through(start, end),
+                Some(false) => None,
+                None => self.texels(ray, [x, y].map(|k| k * self.block as i64), start, end, run),
+            };
+            if found.is_some() || end >= to {
+                return found;
+            }
+            blocks.step();
+        }
+    }
+
+    /// One block, whose first texel is `corner`, texel by texel.
+    fn texels(&self, ray: &Ray, corner: [i64; 2], from: f64, to: f64, run: &mut Run) -> Option<f64> {
+        let line = self.to_texels(ray);
+        let last = corner.map(|k| k + self.block as i64 - 1);
+        let mut texels = Stepper::new(line, 1.0, from).within(corner, last);
+        loop {
+            let (start, end) = (texels.start, texels.end().min(to));
+            let corners = self.corners(texels.cell);
+            let found = match self.tell(ray, start, end, span(corners.into_iter())) {
+                Some(true) => run.through(start, end),
+                Some(false) => None,
+                None => self.patch(ray, line, texels.cell, corners, [start, end]).walk(run),
+            };
+            if found.is_some() || end >= to {
+                return found;
+            }
+            texels.step();
+        }
+    }
+
+    fn patch(
+        &self,
+        ray: &Ray,
+        line: [[f64; 2]; 2],
+        cell: [i64; 2],
+        corners: [f64; 4],
+        [from, to]: [f64; 2],
+    ) -> Patch {
+        let place = |axis: usize| line[axis][0] + line[axis][1] * from - cell[axis] as f64;
+        let at = [place(0), place(1)];
+        let height = ray.origin.z - self.base + ray.direction.z * from;
+        Patch::new(corners, at, [line[0][1], line[1][1]], [height, ray.direction.z], [from, to])
+    }
+
+    /// Whether a piece of the ray is inside for certain, or outside.
+    #[inline]
+    fn tell(&self, ray: &Ray, from: f64, to: f64, [least, most]: [f64; 2]) -> Option<bool> {
+        let z = |t: f64| ray.origin.z - self.base + ray.direction.z * t;
+        let (a, b) = (z(from), z(to));
+        if a.max(b) <= least {
+            Some(true)
+        } else if a.min(b) >= most {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
+    /// South-west, south-east, north-west, north-east.
+    #[inline]
+    fn corners(&self, [x, y]: [i64; 2]) -> [f64; 4] {
+        let wrap = |k: i64| k.rem_euclid(self.side as i64) as usize;
+        let next = |k: usize| if k + 1 == self.side { 0 } else { k + 1 };
+        let (west, south) = (wrap(x), wrap(y) * self.side);
+        let (east, north) = (next(west), next(wrap(y)) * self.side);
+        [
+            self.heights[south + west],
+            self.heights[south + east],
+            self.heights[north + west],
+            self.heights[north + east],
+        ]
+    }
+
+    /// Start and speed along each axis, in texels from the first texel's centre.
+    fn to_texels(&self, ray: &Ray) -> [[f64; 2]; 2] {
+        let axis = |x: f64, d: f64| [x * self.texels_per_m - 0.5, d * self.texels_per_m];
+        [axis(ray.origin.x, ray.direction.x), axis(ray.origin.y, ray.direction.y)]
+    }
+}
+
+/// The length that is still to run within the cloud.
+pub(crate) struct Run {
+    left: f64,
+    inside: f64,
+}
+
+impl Run {
+    /// Runs from distance `from` to `to`, all inside; the distance at which nothing is left.
+    #[inline]
+    fn through(&mut self, from: f64, to: f64) -> Option<f64> {
+        let from = from.max(0.0);
+        let length = to - from;
+        if length <= 0.0 {
+            return None;
+        }
+        if length >= self.left {
+            return Some(from + self.left);
+        }
+        self.left -= length;
+        self.inside += length;
+        None
+    }
+}
+
+fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, 0.0], |[least, most], h| [least.min(h), most.max(h)])
+}
