@@ -4,13 +4,13 @@
 mod worlds;
 
 use crate::layer::Ray;
-use crate::light::luminance;
 use crate::path;
 use crate::random::{cosine, uniform};
 use crate::scene::Scene;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
+use stratiform_imaging::srgb::luminance;
 use stratiform_optics::phase::PhaseTable;
 use stratiform_stats::{Estimate, Purpose, key, photon_stream};
 use stratiform_world::{HeightField, World};
