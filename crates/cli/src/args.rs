@@ -4,6 +4,7 @@ mod advise;
 mod atlas;
 mod chart;
 mod check;
+mod compare;
 mod errors;
 mod export;
 mod nearest;
@@ -19,6 +20,7 @@ pub use advise::AdviseArgs;
 pub use atlas::AtlasArgs;
 pub use chart::ChartArgs;
 pub use check::CheckArgs;
+pub use compare::{CompareArgs, ComparedModels};
 pub use errors::ErrorsArgs;
 pub use export::{ExportArgs, Format};
 pub use nearest::NearestArgs;
@@ -83,6 +85,8 @@ pub enum Command {
     Chart(ChartArgs),
     /// Where each method breaks: thickness, angles, droplets and albedo from end to end, in f32 and f64.
     Atlas(AtlasArgs),
+    /// Hold a scene's picture against its path-traced truth; needs the cargo feature `gpu`.
+    Compare(CompareArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.
