@@ -9,6 +9,7 @@ mod errors;
 mod export;
 mod nearest;
 mod phase_check;
+mod render;
 mod shell;
 
 use crate::numbers::{count, finite, pair, seed};
@@ -25,6 +26,7 @@ pub use errors::ErrorsArgs;
 pub use export::{ExportArgs, Format};
 pub use nearest::NearestArgs;
 pub use phase_check::{Convention, PhaseCheckArgs};
+pub use render::{RadianceModel, RenderArgs, SlabDepth, SlabNormals};
 pub use shell::{CompletionsArgs, ManArgs};
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
@@ -85,6 +87,8 @@ pub enum Command {
     Chart(ChartArgs),
     /// Where each method breaks: thickness, angles, droplets and albedo from end to end, in f32 and f64.
     Atlas(AtlasArgs),
+    /// Draw a scene's clouds over its ground; needs the cargo feature `gpu`.
+    Render(RenderArgs),
     /// Hold a scene's picture against its path-traced truth; needs the cargo feature `gpu`.
     Compare(CompareArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.

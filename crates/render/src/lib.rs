@@ -15,7 +15,10 @@
 //! Radiance is in units of the sun's irradiance normal to its beam, linear sRGB. Lines of sight nearer than 1e-3 rad to the horizontal are
 //! followed at 1e-3.
 
+mod check;
+mod cloud;
 mod error;
+mod field;
 mod generated;
 mod phase_table;
 mod pyramid;

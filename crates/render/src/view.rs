@@ -57,7 +57,11 @@ impl View {
         let half = libm::sin(0.5 * sun.angular_radius_deg.to_radians());
         let sine = libm::sin(sun.angular_radius_deg.to_radians());
         let disc = sun.irradiance.map(|e| (e / (std::f64::consts::PI * sine * sine)) as f32);
-        let Sky::Uniform(sky) = world.sky;
+        // Until the table of a clear sky is bound, its mean.
+        let sky = match &world.sky {
+            Sky::Uniform(sky) => *sky,
+            Sky::Clear(_) => world.sky.irradiance().map(|e| e / std::f64::consts::PI),
+        };
         Self {
             position: [reduced(x, period), reduced(y, period), camera.position.z as f32],
             pixel: (2.0 * camera.tan_half / camera.height as f64) as f32,

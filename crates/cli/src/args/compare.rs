@@ -1,5 +1,6 @@
 //! `stratiform compare` as typed.
 
+use super::render::size;
 use crate::numbers::{count, finite, seed};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -65,24 +66,4 @@ pub struct CompareArgs {
     /// Print one JSON object instead of CSV.
     #[arg(long)]
     pub json: bool,
-}
-
-/// `WIDTHxHEIGHT`, each from 1 to 16384.
-fn size(text: &str) -> Result<[usize; 2], String> {
-    let side = |text: &str| text.parse().ok().filter(|side| (1..=16_384).contains(side));
-    let sides = text.split_once('x').and_then(|(width, height)| Some([side(width)?, side(height)?]));
-    sides.ok_or_else(|| format!("`{text}` is not WIDTHxHEIGHT, each in [1, 16384]"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::size;
-
-    #[test]
-    fn sizes_are_two_numbers() {
-        assert_eq!(size("96x54"), Ok([96, 54]));
-        for text in ["96", "0x1", "1x16385", "-1x2", "axb"] {
-            assert!(size(text).is_err(), "{text}");
-        }
-    }
 }

@@ -15,6 +15,7 @@
 mod error;
 mod exchange;
 pub mod form_factor;
+mod least_squares;
 mod passes;
 mod plan;
 mod slab;
