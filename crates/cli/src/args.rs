@@ -4,6 +4,7 @@ mod advise;
 mod atlas;
 mod chart;
 mod check;
+mod compare;
 mod errors;
 mod export;
 mod nearest;
@@ -21,6 +22,7 @@ pub use advise::AdviseArgs;
 pub use atlas::AtlasArgs;
 pub use chart::ChartArgs;
 pub use check::CheckArgs;
+pub use compare::{CompareArgs, ComparedModels};
 pub use errors::ErrorsArgs;
 pub use export::{ExportArgs, Format};
 pub use nearest::NearestArgs;
@@ -91,6 +93,8 @@ pub enum Command {
     Render(RenderArgs),
     /// Trace a scene's picture path by path, with an error for every pixel.
     Truth(TruthArgs),
+    /// Hold a scene's picture against its path-traced truth; needs the cargo feature `gpu`.
+    Compare(CompareArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

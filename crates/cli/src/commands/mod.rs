@@ -5,6 +5,7 @@ pub mod atlas;
 pub mod chart;
 pub mod check;
 pub mod codegen;
+pub mod compare;
 pub mod errors;
 pub mod export;
 pub mod mie;
