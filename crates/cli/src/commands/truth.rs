@@ -7,7 +7,7 @@ use crate::pipeline::input_error;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use stratiform_artifact::{to_json, write_atomic};
+use stratiform_artifact::{create_folder, to_json, write_atomic};
 use stratiform_imaging::{Image, Tone, write_exr};
 use stratiform_pathtrace::{Crop, Request, Stop, Truth, trace};
 use stratiform_scene::{Scene, find};
@@ -122,6 +122,7 @@ fn document(args: &TruthArgs, scene: String, world: &World, truth: &Truth) -> Do
 }
 
 fn write(args: &TruthArgs, scene: &Scene, truth: &Truth, document: &str) -> Result<Data, CliError> {
+    create_folder(&args.out)?;
     let mut layers = vec![("std_error".to_owned(), &truth.std_error)];
     for (part, mean, error) in &truth.parts {
         layers.push((part.name().to_owned(), mean));
