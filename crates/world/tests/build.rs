@@ -50,6 +50,20 @@ fn the_default_is_the_papers() {
 }
 
 #[test]
+fn a_clear_sky_colours_the_sun_unless_the_scene_does() {
+    let whole = text("stratocumulus");
+    let clear = whole.replacen("model = \"uniform\"\nshare = 0.25", "model = \"clear\"\nturbidity = 3.0", 1);
+    let world = built(&clear).unwrap();
+    let Sky::Clear(sky) = &world.sky else { panic!("not clear") };
+    assert_eq!((sky.air().turbidity, sky.air().altitude_m, sky.air().ground_albedo), (3.0, 2000.0, 0.2));
+    assert!(
+        world.sun.irradiance == sky.sun_irradiance() && world.sun.irradiance[0] > world.sun.irradiance[2]
+    );
+    let white = clear.replacen("[sun]", "[sun]\nirradiance = [1, 1, 1]", 1);
+    assert_eq!(built(&white).unwrap().sun.irradiance, [1.0; 3]);
+}
+
+#[test]
 fn a_camera_in_the_cloud_is_refused_and_one_between_bumps_is_not() {
     let at = |x: f64, y: f64, z: f64| {
         let position = format!("position_m = [{x:?}, {y:?}, {z:?}]");
