@@ -25,10 +25,10 @@ fn main() {
         against_solver(elevation, &views);
     }
     println!(
-        "\n| sun above horizon | round - flat | table - T = 2, H & W | sky/sun, T = 1 | T = 2 | T = 5 | sun's colour, T = 2 |"
+        "\n| sun above horizon | round - flat | H & W shape, median | sky/sun, T = 1 | T = 2 | T = 3 | sun's colour, T = 2 |"
     );
     println!("| ---: | ---: | ---: | ---: | ---: | ---: | --- |");
-    for elevation in [85.0, 60.0, 30.0, 10.0, 5.0, 2.0, 0.5] {
+    for elevation in [85.0, 60.0, 30.0, 10.0, 5.0, 2.0] {
         where_nobody_knows(elevation, &views);
     }
     cost();
@@ -75,10 +75,10 @@ fn where_nobody_knows(elevation: f64, views: &[(f64, f64)]) {
     println!(
         "| {elevation} | {:.3} | {:.3} | {:.3} | {:.3} | {:.3} | {r:.2} {g:.2} {b:.2} |",
         rms(&per_sun(&flat), &per_sun(&round)),
-        rms(&scaled(&theirs, &per_sun(&round)), &per_sun(&round)),
+        median(&scaled(&theirs, &per_sun(&round)), &per_sun(&round)),
         share(1.0),
         share(2.0),
-        share(5.0)
+        share(3.0)
     );
 }
 
@@ -114,6 +114,14 @@ fn scaled(radiances: &[[f64; 3]], like: &[[f64; 3]]) -> Radiances {
 fn rms(found: &[[f64; 3]], truth: &[[f64; 3]]) -> f64 {
     let squares = found.iter().flatten().zip(truth.iter().flatten()).map(|(a, b)| (a - b) * (a - b));
     (squares.sum::<f64>() / (3 * truth.len()) as f64).sqrt() / mean(truth)
+}
+
+/// Of the differences' magnitudes: not ruled by the aureole, which stands for the aerosol.
+fn median(found: &[[f64; 3]], other: &[[f64; 3]]) -> f64 {
+    let pairs = found.iter().flatten().zip(other.iter().flatten());
+    let mut differences: Vec<f64> = pairs.map(|(a, b)| (a - b).abs() / b).collect();
+    differences.sort_by(f64::total_cmp);
+    differences[differences.len() / 2]
 }
 
 fn cost() {

@@ -51,8 +51,8 @@ pub fn direction(sine: f64, azimuth_deg: f64) -> DVec3 {
     DVec3::new(across * libm::sin(azimuth), across * libm::cos(azimuth), sine)
 }
 
-/// Sines of the elevation in the middles of equal solid angles, with azimuths.
+/// Sines of the elevation in the middles of equal solid angles, with azimuths; and the zenith.
 pub fn hemisphere() -> Vec<(f64, f64)> {
     let sines = (0..8).map(|i| (f64::from(i) + 0.5) / 8.0);
-    sines.flat_map(|sine| (0..7).map(move |j| (sine, 30.0 * f64::from(j)))).collect()
+    sines.flat_map(|sine| (0..7).map(move |j| (sine, 30.0 * f64::from(j)))).chain([(1.0, 0.0)]).collect()
 }
