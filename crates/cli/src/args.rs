@@ -11,6 +11,7 @@ mod nearest;
 mod phase_check;
 mod render;
 mod shell;
+mod truth;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -28,6 +29,7 @@ pub use nearest::NearestArgs;
 pub use phase_check::{Convention, PhaseCheckArgs};
 pub use render::{RadianceModel, RenderArgs, SlabDepth, SlabNormals};
 pub use shell::{CompletionsArgs, ManArgs};
+pub use truth::TruthArgs;
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -89,6 +91,8 @@ pub enum Command {
     Atlas(AtlasArgs),
     /// Draw a scene's clouds over its ground; needs the cargo feature `gpu`.
     Render(RenderArgs),
+    /// Trace a scene's picture path by path, with an error for every pixel.
+    Truth(TruthArgs),
     /// Hold a scene's picture against its path-traced truth; needs the cargo feature `gpu`.
     Compare(CompareArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.

@@ -21,4 +21,5 @@ pub mod solve;
 pub mod stages;
 pub mod trace;
 mod traced_radiance;
+pub mod truth;
 mod views;
