@@ -58,6 +58,7 @@ mod tests {
             scene: scene.to_owned(),
             change: change.to_owned(),
             error: 0.1,
+            noise: 0.01,
             rise: 0.0,
             difference,
             flip: 0.0,
