@@ -43,6 +43,18 @@ pub enum GpuError {
         /// What the device said.
         reason: String,
     },
+    /// No adapter can show pictures in the window.
+    #[error("no Vulkan adapter can show pictures in this window: {reason}")]
+    NoScreen {
+        /// What the driver layer said.
+        reason: String,
+    },
+    /// The device or the window's surface is gone; a new one may serve.
+    #[error("the graphics device or the window's surface is lost: {reason}")]
+    Lost {
+        /// What the driver layer said.
+        reason: String,
+    },
     /// The work did not end, or its result could not be read.
     #[error("the device failed: {reason}")]
     Failed {

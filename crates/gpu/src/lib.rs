@@ -1,20 +1,24 @@
 //! Compute on the first graphics adapter: one dispatch, bytes in and bytes out ([`Gpu::run`]), or a sequence of passes over buffers that
 //! stay on the device ([`Gpu::submit_passes`]).
 //!
-//! For tests that hold emitted shaders against the f64 model, for the renderer and for tracers on the device. No window, no
-//! display. Any Vulkan driver serves, software ones included; which one answered is [`Gpu::adapter`].
+//! For tests that hold emitted shaders against the f64 model, for the renderer and for tracers on the device. No window and no
+//! display are needed; where there is a window, a [`Screen`] shows a buffer of pixels in it. Any Vulkan driver serves, software ones
+//! included; which one answered is [`Gpu::adapter`].
 //!
 //! Mesa's software driver stops loops silently after 65535 iterations per invocation, summed over all its loops:
 //! keep dispatches short and count in the shader what was done.
 
 mod dispatch;
 mod error;
+mod screen;
 mod sequence;
 
 pub use error::GpuError;
+pub use screen::Screen;
 pub use sequence::{Access, Buffer, Kernel, Pass};
 
 use pollster::block_on;
+use std::sync::{Arc, OnceLock};
 
 /// A device and its queue; a clone is the same device.
 #[derive(Clone, Debug)]
@@ -22,6 +26,7 @@ pub struct Gpu {
     device: wgpu::Device,
     queue: wgpu::Queue,
     adapter: String,
+    lost: Arc<OnceLock<String>>,
 }
 
 impl Gpu {
@@ -31,12 +36,11 @@ impl Gpu {
     /// [`GpuError::NoAdapter`] if there is none, [`GpuError::Device`] if it cannot be opened.
     pub fn new() -> Result<Self, GpuError> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-        let options = wgpu::RequestAdapterOptions {
-            power_preference: wgpu::PowerPreference::HighPerformance,
-            ..Default::default()
-        };
-        let none = |error: wgpu::RequestAdapterError| GpuError::NoAdapter { reason: error.to_string() };
-        let adapter = block_on(instance.request_adapter(&options)).map_err(none)?;
+        let adapter = preferred(&instance, None).map_err(|reason| GpuError::NoAdapter { reason })?;
+        Self::open(&adapter)
+    }
+
+    fn open(adapter: &wgpu::Adapter) -> Result<Self, GpuError> {
         let info = adapter.get_info();
         let closed = |error: wgpu::RequestDeviceError| GpuError::Device { reason: error.to_string() };
         let descriptor = wgpu::DeviceDescriptor {
@@ -45,11 +49,33 @@ impl Gpu {
             ..Default::default()
         };
         let (device, queue) = block_on(adapter.request_device(&descriptor)).map_err(closed)?;
-        Ok(Self { device, queue, adapter: format!("{} ({}, {})", info.name, info.backend, info.driver_info) })
+        let lost = Arc::new(OnceLock::new());
+        let noted = Arc::clone(&lost);
+        device.set_device_lost_callback(move |_, reason| {
+            // The first reason is the one that counts.
+            let _ = noted.set(reason);
+        });
+        let adapter = format!("{} ({}, {})", info.name, info.backend, info.driver_info);
+        Ok(Self { device, queue, adapter, lost })
     }
 
     /// Name, backend and driver version of the adapter.
     pub fn adapter(&self) -> &str {
         &self.adapter
     }
+
+    /// Why the device is gone, if it is: nothing that was made on it works any more.
+    pub fn lost(&self) -> Option<&str> {
+        self.lost.get().map(String::as_str)
+    }
+}
+
+/// The adapter that the system prefers, of those that can show pictures on the surface.
+fn preferred(instance: &wgpu::Instance, surface: Option<&wgpu::Surface>) -> Result<wgpu::Adapter, String> {
+    let options = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::HighPerformance,
+        compatible_surface: surface,
+        ..Default::default()
+    };
+    block_on(instance.request_adapter(&options)).map_err(|error| error.to_string())
 }
