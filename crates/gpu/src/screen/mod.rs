@@ -82,11 +82,14 @@ impl Screen {
         Ok(screen)
     }
 
-    /// Follows the window to another size in pixels; 0 is refused by the device: do not show pictures in a window without area.
+    /// Follows the window to another size in pixels, if it is another.
     ///
     /// # Errors
-    /// [`GpuError::Refused`] for a size that the device cannot show.
+    /// [`GpuError::Refused`] for a size that the device cannot show, 0 among them.
     pub fn resize(&mut self, [width, height]: [u32; 2]) -> Result<(), GpuError> {
+        if [self.config.width, self.config.height] == [width, height] {
+            return Ok(());
+        }
         (self.config.width, self.config.height) = (width, height);
         self.configure()
     }
