@@ -8,6 +8,7 @@ mod errors;
 mod export;
 mod nearest;
 mod phase_check;
+mod render;
 mod shell;
 
 use crate::numbers::{count, finite, pair, seed};
@@ -23,6 +24,7 @@ pub use errors::ErrorsArgs;
 pub use export::{ExportArgs, Format};
 pub use nearest::NearestArgs;
 pub use phase_check::{Convention, PhaseCheckArgs};
+pub use render::{RadianceModel, RenderArgs, SlabDepth, SlabNormals};
 pub use shell::{CompletionsArgs, ManArgs};
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
@@ -83,6 +85,8 @@ pub enum Command {
     Chart(ChartArgs),
     /// Where each method breaks: thickness, angles, droplets and albedo from end to end, in f32 and f64.
     Atlas(AtlasArgs),
+    /// Draw a scene's clouds over its ground; needs the cargo feature `gpu`.
+    Render(RenderArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

@@ -43,18 +43,21 @@ pub enum GpuError {
         /// What the device said.
         reason: String,
     },
+    /// The device is gone: a driver that crashed, a card that was taken away, or [`Gpu::lose`](crate::Gpu::lose).
+    #[error("the graphics device was lost: {reason}")]
+    Lost {
+        /// What the driver layer said.
+        reason: String,
+    },
     /// No adapter can show pictures in the window.
     #[error("no Vulkan adapter can show pictures in this window: {reason}")]
     NoScreen {
         /// What the driver layer said.
         reason: String,
     },
-    /// The device or the window's surface is gone; a new one may serve.
-    #[error("the graphics device or the window's surface is lost: {reason}")]
-    Lost {
-        /// What the driver layer said.
-        reason: String,
-    },
+    /// The window's surface is gone; another one may serve.
+    #[error("the window's surface was lost")]
+    ScreenLost,
     /// The work did not end, or its result could not be read.
     #[error("the device failed: {reason}")]
     Failed {

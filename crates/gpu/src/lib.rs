@@ -10,6 +10,7 @@
 
 mod dispatch;
 mod error;
+mod fault;
 mod screen;
 mod sequence;
 
@@ -17,8 +18,8 @@ pub use error::GpuError;
 pub use screen::Screen;
 pub use sequence::{Access, Buffer, Kernel, Pass};
 
+use fault::Fault;
 use pollster::block_on;
-use std::sync::{Arc, OnceLock};
 
 /// A device and its queue; a clone is the same device.
 #[derive(Clone, Debug)]
@@ -26,7 +27,7 @@ pub struct Gpu {
     device: wgpu::Device,
     queue: wgpu::Queue,
     adapter: String,
-    lost: Arc<OnceLock<String>>,
+    fault: Fault,
 }
 
 impl Gpu {
@@ -49,24 +50,21 @@ impl Gpu {
             ..Default::default()
         };
         let (device, queue) = block_on(adapter.request_device(&descriptor)).map_err(closed)?;
-        let lost = Arc::new(OnceLock::new());
-        let noted = Arc::clone(&lost);
-        device.set_device_lost_callback(move |_, reason| {
-            // The first reason is the one that counts.
-            let _ = noted.set(reason);
-        });
+        let fault = Fault::watch(&device);
         let adapter = format!("{} ({}, {})", info.name, info.backend, info.driver_info);
-        Ok(Self { device, queue, adapter, lost })
+        Ok(Self { device, queue, adapter, fault })
+    }
+
+    /// Gives the device up, as a crashed driver would: whatever is asked of it afterwards is [`GpuError::Lost`].
+    pub fn lose(&self) {
+        self.device.destroy();
+        // The callback comes with the next poll; a device that is gone need not answer it.
+        let _ = self.device.poll(wgpu::PollType::Poll);
     }
 
     /// Name, backend and driver version of the adapter.
     pub fn adapter(&self) -> &str {
         &self.adapter
-    }
-
-    /// Why the device is gone, if it is: nothing that was made on it works any more.
-    pub fn lost(&self) -> Option<&str> {
-        self.lost.get().map(String::as_str)
     }
 }
 

@@ -33,9 +33,7 @@ pub enum ViewerError {
 impl ViewerError {
     /// Whether device or surface are gone, so that new ones may serve.
     pub(crate) fn is_loss(&self) -> bool {
-        matches!(
-            self,
-            Self::Gpu(GpuError::Lost { .. }) | Self::Render(RenderError::Gpu(GpuError::Lost { .. }))
-        )
+        let (Self::Gpu(error) | Self::Render(RenderError::Gpu(error))) = self else { return false };
+        matches!(error, GpuError::Lost { .. } | GpuError::ScreenLost)
     }
 }

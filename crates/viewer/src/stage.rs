@@ -3,7 +3,7 @@
 use crate::ViewerError;
 use crate::scenery::Scenery;
 use std::sync::Arc;
-use stratiform_gpu::{Gpu, GpuError, Screen};
+use stratiform_gpu::{Gpu, Screen};
 use stratiform_render::Renderer;
 use winit::window::Window;
 
@@ -40,19 +40,10 @@ impl Stage {
     /// # Errors
     /// [`ViewerError`] for what the renderer refuses, and for a device that fails.
     pub fn show(&mut self, scenery: &Scenery) -> Result<bool, ViewerError> {
-        self.try_show(scenery).map_err(|error| self.told(error))
-    }
-
-    fn try_show(&mut self, scenery: &Scenery) -> Result<bool, ViewerError> {
         self.renderer.update(scenery.world(), &scenery.state().settings)?;
         self.screen.resize(size(scenery))?;
         let pixels = self.renderer.paint()?;
         Ok(self.screen.present(pixels, size(scenery), scenery.state().exposure_ev as f32)?)
-    }
-
-    /// Whatever failed, a device that is lost is the reason.
-    fn told(&self, error: ViewerError) -> ViewerError {
-        self.gpu.lost().map_or(error, |reason| GpuError::Lost { reason: reason.to_owned() }.into())
     }
 }
 

@@ -13,6 +13,7 @@ pub mod optics;
 pub mod order_rows;
 pub mod phase_check;
 pub mod radiance;
+pub mod render;
 pub mod report;
 pub mod shell;
 pub mod solve;

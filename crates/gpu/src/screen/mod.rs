@@ -98,15 +98,18 @@ impl Screen {
     /// nothing just now, being covered, or in between two sizes.
     ///
     /// # Errors
-    /// [`GpuError::Lost`] if device or surface are gone, [`GpuError::Refused`] if the buffer does not fit.
+    /// [`GpuError::Lost`] and [`GpuError::ScreenLost`] if device or surface are gone, [`GpuError::Refused`] if the buffer does not fit.
     pub fn present(&mut self, pixels: &Buffer, size: [u32; 2], exposure_ev: f32) -> Result<bool, GpuError> {
-        if let Some(reason) = self.gpu.lost() {
-            return Err(GpuError::Lost { reason: reason.to_owned() });
-        }
+        self.gpu.fault.check()?;
         let needed = 16 * u64::from(size[0]) * u64::from(size[1]);
         if needed == 0 || needed > pixels.inner.size() {
             return Err(GpuError::Refused { reason: format!("the buffer holds no {size:?} pixels") });
         }
+        let shown = self.try_present(pixels, size, exposure_ev);
+        self.gpu.fault.explain(shown)
+    }
+
+    fn try_present(&self, pixels: &Buffer, size: [u32; 2], exposure_ev: f32) -> Result<bool, GpuError> {
         let scope = self.gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let texture = self.acquire()?;
         if let Some(texture) = &texture {
@@ -127,9 +130,7 @@ impl Screen {
                 }
                 CurrentSurfaceTexture::Timeout | CurrentSurfaceTexture::Occluded => return Ok(None),
                 CurrentSurfaceTexture::Outdated => self.configure()?,
-                CurrentSurfaceTexture::Lost => {
-                    return Err(GpuError::Lost { reason: "the surface of the window".to_owned() });
-                }
+                CurrentSurfaceTexture::Lost => return Err(GpuError::ScreenLost),
                 CurrentSurfaceTexture::Validation => {
                     return Err(GpuError::Refused { reason: "the next picture of the window".to_owned() });
                 }
@@ -147,7 +148,7 @@ impl Screen {
         }
         let scope = self.gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
         self.surface.configure(&self.gpu.device, &self.config);
-        refused(scope)
+        self.gpu.fault.explain(refused(scope))
     }
 
     fn frame_bytes(&self, [width, height]: [u32; 2], exposure_ev: f32) -> Vec<u8> {
