@@ -28,6 +28,13 @@ scenes!(
     /// Names of those that are pictures.
     PICTURES, PICTURE_TEXTS:
     "stratocumulus",
+    "stratocumulus-from-below",
+    "fogbow",
+    "pseudo-specular",
+    "silver-lining",
+    "water-sky",
+    "ice-blink",
+    "sun-disc",
 );
 
 /// The scene of that name.

@@ -121,6 +121,22 @@ fn grey(folder: &Path, side: usize, values: &[f32]) {
     write_exr(&folder.join("a.exr"), &image, &[], "").unwrap();
 }
 
+/// An EXR of the one channel Y.
+fn heights(folder: &Path, side: usize, values: &[f32]) {
+    use exr::prelude::{
+        AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, WritableImage,
+    };
+    let channel = AnyChannel::new("Y", FlatSamples::F32(values.to_vec()));
+    let channels = AnyChannels::sort([channel].into_iter().collect());
+    let layer = Layer::new(
+        (side, values.len() / side),
+        LayerAttributes::default(),
+        Encoding::FAST_LOSSLESS,
+        channels,
+    );
+    Image::from_layer(layer).write().to_file(folder.join("heights.exr")).unwrap();
+}
+
 fn png(folder: &Path, depth: png::BitDepth, bytes: &[u8]) {
     let file = std::fs::File::create(folder.join("a.png")).unwrap();
     let mut encoder = png::Encoder::new(file, 2, 2);
@@ -167,6 +183,22 @@ fn files_that_are_missing_odd_or_impossible_are_named() {
     assert!(error.contains("column 1 of row 0"), "{error}");
     let ground = image(&[0.1, 0.2, 0.3, 0.4], 2).unwrap().ground.albedo;
     assert!((ground.values()[0][0] - 0.3).abs() < 1e-7 && (ground.values()[3][2] - 0.2).abs() < 1e-7);
+}
+
+#[test]
+fn heights_that_are_impossible_are_named_with_their_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let clouds = "file = \"heights.exr\"\nscale_m = 10.0\n[layer]\noptical_thickness = { min = 1, max = 5 }";
+    let of = |values: &[f32]| {
+        heights(folder.path(), 2, values);
+        build(folder.path(), clouds, "albedo = 0.2", 0.0)
+    };
+    assert_eq!(of(&[1.0, 2.0, 3.0, 4.0]).unwrap().field.map().values(), [30.0, 40.0, 10.0, 20.0]);
+    for (bad, says) in [(-1.0, "= -10"), (f32::NAN, "NaN"), (f32::INFINITY, "inf")] {
+        let error = of(&[1.0, bad, 3.0, 4.0]).unwrap_err();
+        assert!(error.contains("heights.exr") && error.contains(says), "{error}");
+    }
+    assert!(of(&[1.0, 2.0]).unwrap_err().contains("2 x 1 pixels are not square"));
 }
 
 #[test]
