@@ -10,6 +10,7 @@ mod nearest;
 mod phase_check;
 mod render;
 mod shell;
+mod view;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -26,6 +27,7 @@ pub use nearest::NearestArgs;
 pub use phase_check::{Convention, PhaseCheckArgs};
 pub use render::{RadianceModel, RenderArgs, SlabDepth, SlabNormals};
 pub use shell::{CompletionsArgs, ManArgs};
+pub use view::WindowArgs;
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -87,6 +89,8 @@ pub enum Command {
     Atlas(AtlasArgs),
     /// Draw a scene's clouds over its ground; needs the cargo feature `gpu`.
     Render(RenderArgs),
+    /// Open a window on a scene, with camera, sun and time under keys and mouse; needs the cargo feature `view`.
+    View(WindowArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

@@ -20,4 +20,5 @@ pub mod solve;
 pub mod stages;
 pub mod trace;
 mod traced_radiance;
+pub mod view;
 mod views;
