@@ -1,11 +1,10 @@
 //! The window's events, and the loop that draws.
 
-use crate::ViewerError;
 use crate::hands::{Hands, Wish};
 use crate::scenery::Scenery;
 use crate::stage::Stage;
 use crate::title::title;
-use std::panic;
+use crate::{ViewerError, events};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -46,7 +45,7 @@ pub struct Seen {
 /// # Errors
 /// [`ViewerError`] if there is no display, for a scene that cannot be drawn, and for a device that fails.
 pub fn view(subject: Subject) -> Result<Seen, ViewerError> {
-    let events = event_loop()?;
+    let events = events::open()?;
     let scenery = Scenery::new(subject.scene, subject.folder, subject.settings)?;
     let mut app = App {
         name: subject.name,
@@ -69,29 +68,10 @@ pub fn view(subject: Subject) -> Result<Seen, ViewerError> {
     Ok(app.seen)
 }
 
-/// winit panics where a library or an extension of the display is missing; that is an error like any other.
-fn event_loop() -> Result<EventLoop<()>, ViewerError> {
-    let hook = panic::take_hook();
-    panic::set_hook(Box::new(|_| ()));
-    let made = panic::catch_unwind(EventLoop::new);
-    panic::set_hook(hook);
-    let reason = match made {
-        Ok(Ok(events)) => return Ok(events),
-        Ok(Err(error)) => error.to_string(),
-        Err(said) => match said.downcast::<String>() {
-            Ok(text) => *text,
-            Err(said) => {
-                said.downcast::<&str>().map_or_else(|_| "unknown".to_owned(), |text| (*text).to_owned())
-            }
-        },
-    };
-    Err(ViewerError::NoDisplay { reason })
-}
-
 /// A key that is only touched moves as if held so long, s.
 const TOUCH: f64 = 0.05;
 /// A picture that took longer moves no further, s.
-const LONGEST: f64 = 0.1;
+const LONGEST: f64 = 0.25;
 /// How long a window that shows nothing is left alone.
 const REST: Duration = Duration::from_millis(100);
 

@@ -7,13 +7,15 @@
 //! | `scenery` | the scene as it stands: keeps the world with the state, refuses what the world refuses |
 //! | `stage` | window, device, renderer: shows the scenery |
 //! | `hands` | keys held, mouse drawn |
-//! | `app` | winit's events |
+//! | `events` | the connection to the display |
+//! | `app` | the window, and the loop that draws |
 //!
 //! The picture goes from the renderer's buffer to the window without leaving the device, through `tone.wgsl`, which is
 //! `stratiform_imaging::Tone`. A pixel that is no number is magenta; the first picture is checked as the renderer's own are.
 
 mod app;
 mod error;
+mod events;
 mod hands;
 mod keys;
 mod scenery;
