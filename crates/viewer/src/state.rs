@@ -252,9 +252,12 @@ mod tests {
     #[test]
     fn speed_and_exposure_end_somewhere() {
         let mut state = state();
-        (0..200).for_each(|_| [Action::Faster, Action::Brighter].map(|action| state.act(action)).into());
+        let many = |state: &mut State, action| (0..400).for_each(|_| state.act(action));
+        many(&mut state, Action::Faster);
+        many(&mut state, Action::Brighter);
         assert_eq!((state.rate, state.exposure_ev), (RATES[1], EXPOSURES[1]));
-        (0..400).for_each(|_| [Action::Slower, Action::Darker].map(|action| state.act(action)).into());
+        many(&mut state, Action::Slower);
+        many(&mut state, Action::Darker);
         assert_eq!((state.rate, state.exposure_ev), (RATES[0], EXPOSURES[0]));
     }
 }

@@ -1,7 +1,7 @@
 //! A scene and its files made concrete.
 
 use crate::field::height_field;
-use crate::{Camera, Material, Sky, Sun, World, WorldError, ground_map, stub};
+use crate::{Camera, Material, Sky, Sun, World, WorldError, ground_map};
 use glam::DVec3;
 use std::f64::consts::PI;
 use std::path::Path;
@@ -18,7 +18,7 @@ impl World {
     pub fn build(scene: &Scene, folder: &Path, moment_s: f64) -> Result<Self, WorldError> {
         let (said_camera, clouds) = picture(scene)?;
         let tables = folder.join(&clouds.tables);
-        let material = stub::load(&tables)?;
+        let material = Material::load(&tables)?;
         agree(scene, &material, &tables)?;
         let sun = sun(&scene.sun)?;
         let world = Self {

@@ -46,14 +46,14 @@ fn the_default_is_the_papers() {
     assert_eq!(world.ground.albedo.value(1.0, 2.0), [0.2; 3]);
     assert_eq!(world.sky, Sky::Uniform([0.25 / PI; 3]));
     assert!((world.material.extinction_per_m - 300e-6 * PI * 49.0).abs() < 1e-15);
-    assert!((world.sun.direction.z - libm::cos(55.0 * PI / 180.0)).abs() < 1e-15);
+    assert!((world.sun.direction.z - libm::cos(65.0 * PI / 180.0)).abs() < 1e-15);
 }
 
 #[test]
 fn a_camera_in_the_cloud_is_refused_and_one_between_bumps_is_not() {
     let at = |x: f64, y: f64, z: f64| {
         let position = format!("position_m = [{x:?}, {y:?}, {z:?}]");
-        built(&text("stratocumulus").replacen("position_m = [0.0, 0.0, 3600.0]", &position, 1))
+        built(&text("stratocumulus").replacen("position_m = [0.0, 0.0, 4000.0]", &position, 1))
     };
     let field = built(&text("stratocumulus")).unwrap().field;
     let places: Vec<_> = (0..160).map(|i| (100.0 * f64::from(i), 50.0)).collect();
