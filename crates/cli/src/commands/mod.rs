@@ -22,4 +22,5 @@ pub mod stages;
 pub mod trace;
 mod traced_radiance;
 pub mod truth;
+pub mod view;
 mod views;
