@@ -2,10 +2,11 @@
 
 use crate::CliError;
 use crate::args::{CompareArgs, ComparedModels};
+use crate::commands::render::said;
 use crate::pipeline::input_error;
 use std::path::{Path, PathBuf};
-use stratiform_render::{Model, Radiosity, RingRule, Settings};
-use stratiform_scene::{Rings, Scene};
+use stratiform_render::{Model, Settings};
+use stratiform_scene::Scene;
 use stratiform_world::World;
 
 /// Where the named scenes stand.
@@ -27,16 +28,8 @@ pub fn world(args: &CompareArgs, scene: &Scene) -> Result<World, CliError> {
 
 /// As the scene says, by the first of the models.
 pub fn settings(scene: &Scene, models: &[Model]) -> Settings {
-    let said = &scene.radiosity;
-    let rings = match said.rings {
-        Rings::AsPrinted => RingRule::AsPrinted,
-        Rings::WiderSquares => RingRule::WiderSquares,
-        Rings::SquareWeights => RingRule::SquareWeights,
-    };
-    let usual = Settings::default();
-    let radiosity =
-        Radiosity { side: said.side, passes: said.passes, error: said.error, rings, ..usual.radiosity };
-    Settings { model: models.first().copied().unwrap_or(usual.model), radiosity, ..usual }
+    let usual = said(scene);
+    Settings { model: models.first().copied().unwrap_or(usual.model), ..usual }
 }
 
 /// The models in their order.

@@ -25,12 +25,13 @@ pub fn run(args: &RenderArgs, talk: Talk) -> Result<Data, CliError> {
     let settings = settings(args, &scene)?;
     let tone = Tone::at(args.exposure.unwrap_or(scene.picture.exposure_ev));
     let world = world(args, &scene)?;
+    std::iter::once(&args.out).chain(&args.exr).try_for_each(|path| has_folder(path))?;
     let gpu = Gpu::new().map_err(input_error)?;
     talk.say(format!("drawing on {}", gpu.adapter()));
     let mut renderer = Renderer::new(&gpu, &world, &settings).map_err(input_error)?;
     let image = renderer.draw().map_err(input_error)?;
     let files = write(args, &image, &tone)?;
-    if args.timings { times(&renderer.timings()) } else { Ok(files) }
+    if args.timings { times(&renderer.timings(), talk) } else { Ok(files) }
 }
 
 fn world(args: &RenderArgs, scene: &Scene) -> Result<World, CliError> {
@@ -50,20 +51,28 @@ pub fn folder(scene: &str) -> PathBuf {
     }
 }
 
+/// Refuses, before anything is drawn, a file whose folder is not there.
+fn has_folder(path: &Path) -> Result<(), CliError> {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
+            Err(CliError::Input(format!("{}: there is no folder {}", path.display(), folder.display())))
+        }
+        _ => Ok(()),
+    }
+}
+
 fn write(args: &RenderArgs, image: &Image, tone: &Tone) -> Result<Data, CliError> {
+    image.write_png(&args.out, tone).map_err(input_error)?;
     if let Some(path) = &args.exr {
         write_exr(path, image, &[], &format!("Scene {}.", args.scene)).map_err(input_error)?;
     }
-    image.write_png(&args.out, tone).map_err(input_error)?;
     let files = [Some(&args.out), args.exr.as_ref()].into_iter().flatten();
     Ok(files.map(|path| path.display().to_string() + "\n").collect())
 }
 
-fn times(times: &[PassTime]) -> Result<Data, CliError> {
+fn times(times: &[PassTime], talk: Talk) -> Result<Data, CliError> {
     if times.is_empty() {
-        return Err(CliError::Input(
-            "this adapter has no time stamps: --timings has nothing to print".to_owned(),
-        ));
+        talk.say("this adapter has no time stamps");
     }
     let mut table = "pass,seconds\n".to_owned();
     for PassTime { name, seconds } in times {

@@ -37,6 +37,8 @@ pub fn said(scene: &Scene) -> Settings {
         Rings::AsPrinted => RingRule::AsPrinted,
         Rings::WiderSquares => RingRule::WiderSquares,
         Rings::SquareWeights => RingRule::SquareWeights,
+        Rings::Exact => RingRule::Exact,
+        Rings::LeastSquares => RingRule::LeastSquares,
     };
     let radiosity =
         Radiosity { side: said.side, passes: said.passes, error: said.error, rings, ..usual.radiosity };
