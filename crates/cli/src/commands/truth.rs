@@ -2,19 +2,16 @@
 
 use crate::CliError;
 use crate::args::TruthArgs;
+use crate::commands::picture::world;
 use crate::output::{Data, Talk};
 use crate::pipeline::input_error;
 use serde::{Deserialize, Serialize};
-use std::path::{Path, PathBuf};
 use std::time::Instant;
 use stratiform_artifact::{create_folder, to_json, write_atomic};
 use stratiform_imaging::{Image, Tone, write_exr};
 use stratiform_pathtrace::{Crop, Request, Stop, Truth, trace};
 use stratiform_scene::{Scene, find};
 use stratiform_world::World;
-
-/// Where the named scenes stand.
-const SCENES: &str = "fit-configs/scenes";
 
 /// Samples when nothing is said, and the most for a target.
 const SAMPLES: u64 = 64;
@@ -52,7 +49,7 @@ struct Shares {
 /// [`CliError::Unmet`] if the samples did not suffice for the target.
 pub fn run(args: &TruthArgs, talk: Talk) -> Result<Data, CliError> {
     let (name, scene) = find(&args.scene).map_err(input_error)?;
-    let world = world(args, &scene)?;
+    let world = world(&args.scene, &scene, args.time, args.size)?;
     let request = request(args);
     let start = Instant::now();
     let truth = trace(&world, &request).map_err(input_error)?;
@@ -77,19 +74,6 @@ pub fn run(args: &TruthArgs, talk: Talk) -> Result<Data, CliError> {
         }),
         _ => Ok(data),
     }
-}
-
-fn world(args: &TruthArgs, scene: &Scene) -> Result<World, CliError> {
-    let file = Path::new(&args.scene);
-    let folder = match file.parent() {
-        Some(folder) if file.exists() => folder.to_owned(),
-        _ => PathBuf::from(SCENES),
-    };
-    let mut world = World::build(scene, &folder, args.time).map_err(input_error)?;
-    if let Some([width, height]) = args.size {
-        (world.camera.width, world.camera.height) = (width, height);
-    }
-    Ok(world)
 }
 
 fn request(args: &TruthArgs) -> Request {

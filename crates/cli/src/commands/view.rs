@@ -10,7 +10,8 @@ use crate::output::{Data, Talk};
 /// [`CliError::Input`] for a scene that is no picture, and for a display or a device that is missing or fails.
 #[cfg(feature = "view")]
 pub fn run(args: &WindowArgs, talk: Talk) -> Result<Data, CliError> {
-    use crate::commands::render::{folder, said};
+    use crate::commands::picture::folder;
+    use crate::commands::render::said;
     use crate::pipeline::input_error;
     use stratiform_viewer::{HELP, Subject, view};
 

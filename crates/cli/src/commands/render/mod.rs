@@ -5,9 +5,7 @@ mod draw;
 #[cfg(feature = "gpu")]
 mod settings;
 
-#[cfg(feature = "view")]
-pub use draw::folder;
-#[cfg(feature = "view")]
+#[cfg(feature = "gpu")]
 pub use settings::said;
 
 use crate::CliError;
