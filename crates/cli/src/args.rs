@@ -4,6 +4,7 @@ mod advise;
 mod atlas;
 mod chart;
 mod check;
+mod compare;
 mod errors;
 mod export;
 mod nearest;
@@ -11,6 +12,7 @@ mod phase_check;
 mod render;
 mod shell;
 mod truth;
+mod view;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -21,6 +23,7 @@ pub use advise::AdviseArgs;
 pub use atlas::AtlasArgs;
 pub use chart::ChartArgs;
 pub use check::CheckArgs;
+pub use compare::{CompareArgs, ComparedModels};
 pub use errors::ErrorsArgs;
 pub use export::{ExportArgs, Format};
 pub use nearest::NearestArgs;
@@ -28,6 +31,7 @@ pub use phase_check::{Convention, PhaseCheckArgs};
 pub use render::{RadianceModel, RenderArgs, SlabDepth, SlabNormals};
 pub use shell::{CompletionsArgs, ManArgs};
 pub use truth::TruthArgs;
+pub use view::WindowArgs;
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -91,6 +95,10 @@ pub enum Command {
     Render(RenderArgs),
     /// Trace a scene's picture path by path, with an error for every pixel.
     Truth(TruthArgs),
+    /// Hold a scene's picture against its path-traced truth; needs the cargo feature `gpu`.
+    Compare(CompareArgs),
+    /// Open a window on a scene, with camera, sun and time under keys and mouse; needs the cargo feature `view`.
+    View(WindowArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

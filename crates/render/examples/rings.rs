@@ -76,7 +76,7 @@ fn fields() {
     );
     let patches = |h: &f64| if *h > 0.8 { 0.8 } else { 0.15 };
     let smooth = |h: &f64| (1.0 + 0.3 * h).max(0.0);
-    for side in [8, 16, 32] {
+    for side in [4, 8, 16, 32] {
         let fine = FINER * side;
         let h = BASE_M / EXTENT_M * fine as f64;
         for (name, finest, field) in
@@ -91,7 +91,11 @@ fn fields() {
                 let worst = errors.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
                 format!("{:>15}", format!("{:.4} ({:.3})", worst[0], worst[1]))
             });
-            println!("{:38}{}", format!("{name}, {side} x {side}"), errors.concat());
+            println!(
+                "{:38}{}",
+                format!("{name}, {side} x {side}, h = {} texels", side as f64 * BASE_M / EXTENT_M),
+                errors.concat()
+            );
         }
     }
 }

@@ -13,7 +13,7 @@ use radiosity_common::{BASE_M, EXTENT_M, uniform, waves};
 use radiosity_truth::{FINER, RULES, by_rule, error, irradiance};
 use std::f64::consts::FRAC_1_SQRT_2;
 use stratiform_render::RingRule;
-use stratiform_render::radiosity::{Weights, form_factor};
+use stratiform_render::radiosity::{Weights, form_factor, side_for};
 
 #[test]
 fn form_factors_have_their_known_values() {
@@ -102,6 +102,14 @@ fn what_one_plane_gives_out_the_other_receives() {
                 assert!(w[i] >= 0.0 && (w[i] - w[back]).abs() < 1e-15, "{rule:?} {side} {h} {i}: {}", w[i]);
             }
         }
+    }
+}
+
+#[test]
+fn wide_periods_of_low_clouds_need_more_texels() {
+    let sides = [(16000.0, 2000.0, 16), (16001.0, 2000.0, 32), (48000.0, 1500.0, 64), (48000.0, 800.0, 128)];
+    for (extent, h, side) in sides {
+        assert_eq!(side_for(extent, h), side);
     }
 }
 

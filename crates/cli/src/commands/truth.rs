@@ -4,7 +4,7 @@ use crate::CliError;
 use crate::args::TruthArgs;
 use crate::output::{Data, Talk};
 use crate::pipeline::input_error;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use stratiform_artifact::{create_folder, to_json, write_atomic};
@@ -21,9 +21,9 @@ const SAMPLES: u64 = 64;
 const MOST: u64 = 1_000_000;
 
 /// `truth.json`.
-#[derive(Serialize)]
+#[derive(Serialize, Deserialize)]
 struct Document {
-    schema: &'static str,
+    schema: String,
     scene: String,
     moment_s: f64,
     /// Columns and rows of the whole picture.
@@ -36,10 +36,10 @@ struct Document {
     median_error: f64,
     /// Over pixels, the share of luminance that one path brought.
     largest_share: Shares,
-    version: &'static str,
+    version: String,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, Deserialize)]
 struct Shares {
     median: f32,
     most: f32,
@@ -107,7 +107,7 @@ fn document(args: &TruthArgs, scene: String, world: &World, truth: &Truth) -> Do
     let mut shares = truth.largest_share.clone();
     shares.sort_by(f32::total_cmp);
     Document {
-        schema: "stratiform/truth/1",
+        schema: "stratiform/truth/1".to_owned(),
         scene,
         moment_s: args.time,
         width: world.camera.width,
@@ -117,7 +117,7 @@ fn document(args: &TruthArgs, scene: String, world: &World, truth: &Truth) -> Do
         seed: args.seed,
         median_error: truth.median_error,
         largest_share: Shares { median: shares[shares.len() / 2], most: shares[shares.len() - 1] },
-        version: env!("CARGO_PKG_VERSION"),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
     }
 }
 

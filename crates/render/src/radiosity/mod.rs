@@ -30,4 +30,4 @@ pub use plan::Plan;
 pub use slab::Slab;
 pub use texels::Texels;
 pub use twin::{Light, Planes, Received, ground_direct, planes};
-pub use weights::Weights;
+pub use weights::{Weights, side_for};

@@ -24,6 +24,11 @@ pub struct Weights {
     values: Vec<f64>,
 }
 
+/// Texels a side for which texels are at most h/2, 16 to 128 in powers of two: `LeastSquares` then errs by about 1 % of the mean.
+pub fn side_for(extent_m: f64, h_m: f64) -> u32 {
+    [16, 32, 64].into_iter().find(|side| extent_m <= 0.5 * h_m * f64::from(*side)).unwrap_or(128)
+}
+
 /// Periods on each side of the receiver over which images are summed; what lies further is spread evenly.
 const IMAGES: usize = 4;
 

@@ -42,7 +42,7 @@ fn world(args: &RenderArgs, scene: &Scene) -> Result<World, CliError> {
 }
 
 /// The folder from which a scene names its files.
-fn folder(scene: &str) -> PathBuf {
+pub fn folder(scene: &str) -> PathBuf {
     let file = Path::new(scene);
     match file.parent() {
         Some(folder) if file.exists() => folder.to_owned(),

@@ -5,6 +5,11 @@ mod draw;
 #[cfg(feature = "gpu")]
 mod settings;
 
+#[cfg(feature = "view")]
+pub use draw::folder;
+#[cfg(feature = "view")]
+pub use settings::said;
+
 use crate::CliError;
 use crate::args::RenderArgs;
 use crate::output::{Data, Talk};
