@@ -1,10 +1,9 @@
 //! The scene as it stands: state and world together.
 
 use crate::state::{Action, Motion, State};
-use glam::DVec3;
 use std::path::PathBuf;
 use stratiform_render::Settings;
-use stratiform_scene::{Scene, direction};
+use stratiform_scene::{Interval, Scene, Sun};
 use stratiform_world::{Camera, World, WorldError};
 
 /// What is looked at.
@@ -42,7 +41,7 @@ impl Scenery {
     /// So many seconds of motions.
     ///
     /// # Errors
-    /// [`WorldError`] for a camera that would enter the cloud or the ground: then it stays where it is.
+    /// [`WorldError`] for a camera that would enter the cloud or the ground, and for a sun that the sky refuses: they stay where they are.
     pub fn step(
         &mut self,
         motions: impl IntoIterator<Item = Motion>,
@@ -51,12 +50,31 @@ impl Scenery {
     ) -> Result<(), WorldError> {
         let mut next = self.state;
         motions.into_iter().for_each(|motion| next.step(motion, seconds, fast));
+        let shone = self.shine(&mut next);
         let outside = self.world.outside(&Camera::of(&next.camera));
         if outside.is_err() {
             next.camera.position_m = self.state.camera.position_m;
         }
         self.take(next);
-        outside
+        shone.and(outside)
+    }
+
+    /// Moves the sun, and the sky with it; a sun that is refused is put back.
+    fn shine(&mut self, next: &mut State) -> Result<(), WorldError> {
+        let sun = |state: &State| (state.sun_theta_deg, state.sun_azimuth_deg);
+        let (theta, azimuth_deg) = sun(next);
+        if sun(&self.state) == sun(next) {
+            return Ok(());
+        }
+        let theta_deg = Interval { min: theta, max: theta };
+        let before = self.scene.sun;
+        self.scene.sun = Sun { theta_deg, azimuth_deg, ..before };
+        let shone = self.world.shine(&self.scene);
+        if shone.is_err() {
+            self.scene.sun = before;
+            (next.sun_theta_deg, next.sun_azimuth_deg) = sun(&self.state);
+        }
+        shone
     }
 
     /// The mouse went so many pixels right and down.
@@ -98,8 +116,6 @@ impl Scenery {
     fn take(&mut self, state: State) {
         self.state = state;
         self.world.camera = Camera::of(&state.camera);
-        let sun = direction(state.sun_azimuth_deg, 90.0 - state.sun_theta_deg);
-        self.world.sun.direction = DVec3::from_array(sun);
     }
 }
 
@@ -132,14 +148,25 @@ mod tests {
     }
 
     #[test]
+    fn a_clear_sky_goes_with_the_sun() {
+        let mut scenery = scenery(|scene| {
+            scene.sky =
+                stratiform_scene::Sky { model: stratiform_scene::SkyModel::Clear, ..Default::default() };
+        });
+        let before = scenery.world().clone();
+        scenery.step([Motion::SunLower], 1.0, false).unwrap();
+        assert_ne!(scenery.world().sky, before.sky);
+        assert_ne!(scenery.world().sun.irradiance, before.sun.irradiance, "a lower sun is redder");
+    }
+
+    #[test]
     fn the_camera_stays_out_of_cloud_and_ground() {
         let deep = |scene: &mut Scene| {
             let clouds = scene.clouds.as_mut().unwrap();
             clouds.pattern = Some(stratiform_scene::Pattern::Flat);
             (clouds.cover, clouds.cell_m, clouds.seed, clouds.evolution_s) = (None, None, None, None);
             clouds.wind_m_per_s = [0.0; 2];
-            (clouds.side, clouds.thickness_m) =
-                (None, Some(stratiform_scene::Interval { min: 0.0, max: 500.0 }));
+            (clouds.side, clouds.thickness_m) = (None, Some(Interval { min: 0.0, max: 500.0 }));
             scene.camera.as_mut().unwrap().position_m[2] = 2510.0;
         };
         let mut scenery = scenery(deep);
