@@ -3,11 +3,13 @@
 //! A stage reads and writes these types and knows no other stage's code. Documents are JSON, tables CSV;
 //! both keep every bit of an `f64`. Field names carry units. A file appears whole or not at all.
 
+mod ablation;
 mod agreement;
 mod angular_books;
 mod atlas;
 mod atomic;
 mod chart;
+mod comparison;
 mod convergence;
 mod curves;
 mod error;
@@ -30,11 +32,13 @@ mod radiance_parameters;
 mod solver_cost;
 mod table;
 
+pub use ablation::{AblationRow, RenderCostRow};
 pub use agreement::{AgreementDocument, AgreementRow};
 pub use angular_books::{AngularBooksRow, AngularForm};
 pub use atlas::{AtlasCount, AtlasDocument, AtlasMethod, AtlasPlane, AtlasRow};
 pub use atomic::{create_folder, read_text, write_atomic};
 pub use chart::{ChartCloud, ChartDocument, ChartMethod, ChartRow, ChartScene, KnobRow};
+pub use comparison::{ComparisonDocument, ComparisonPicture, ComparisonRow};
 pub use convergence::ConvergenceRow;
 pub use curves::{CurveModel, CurveQuantity, CurvesRow, PublishedRow};
 pub use error::ArtifactError;

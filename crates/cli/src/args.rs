@@ -4,11 +4,14 @@ mod advise;
 mod atlas;
 mod chart;
 mod check;
+mod compare;
 mod errors;
 mod export;
 mod nearest;
 mod phase_check;
+mod render;
 mod shell;
+mod truth;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -19,11 +22,14 @@ pub use advise::AdviseArgs;
 pub use atlas::AtlasArgs;
 pub use chart::ChartArgs;
 pub use check::CheckArgs;
+pub use compare::{CompareArgs, ComparedModels};
 pub use errors::ErrorsArgs;
 pub use export::{ExportArgs, Format};
 pub use nearest::NearestArgs;
 pub use phase_check::{Convention, PhaseCheckArgs};
+pub use render::{RadianceModel, RenderArgs, SlabDepth, SlabNormals};
 pub use shell::{CompletionsArgs, ManArgs};
+pub use truth::TruthArgs;
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -83,6 +89,12 @@ pub enum Command {
     Chart(ChartArgs),
     /// Where each method breaks: thickness, angles, droplets and albedo from end to end, in f32 and f64.
     Atlas(AtlasArgs),
+    /// Draw a scene's clouds over its ground; needs the cargo feature `gpu`.
+    Render(RenderArgs),
+    /// Trace a scene's picture path by path, with an error for every pixel.
+    Truth(TruthArgs),
+    /// Hold a scene's picture against its path-traced truth; needs the cargo feature `gpu`.
+    Compare(CompareArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

@@ -4,6 +4,8 @@
 pub mod args;
 pub mod check;
 mod commands;
+#[cfg(feature = "gpu")]
+pub mod compare;
 pub mod config;
 mod error;
 mod interrupt;
@@ -46,6 +48,9 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
         Command::Reproduce(args) => commands::stages::reproduce(args, talk),
         Command::Chart(args) => commands::chart::run(args, talk),
         Command::Atlas(args) => commands::atlas::run(args, talk),
+        Command::Render(args) => commands::render::run(args, talk),
+        Command::Truth(args) => commands::truth::run(args, talk),
+        Command::Compare(args) => commands::compare::run(args, talk),
         Command::Report(args) => commands::report::run(args, talk),
         Command::Completions(args) => commands::shell::completions(args),
         Command::Man(args) => commands::shell::man(args),

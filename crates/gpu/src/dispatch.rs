@@ -81,6 +81,7 @@ impl Gpu {
         output_bytes: usize,
         groups: [u32; 3],
     ) -> Result<Vec<u8>, GpuError> {
+        self.fault.check()?;
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let pipeline = pipeline();
         let output = self.empty_buffer(output_bytes, BufferUsages::STORAGE | BufferUsages::COPY_SRC);
@@ -185,6 +186,10 @@ impl Gpu {
     }
 
     pub(crate) fn read(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
+        self.fault.explain(self.mapped(buffer))
+    }
+
+    fn mapped(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
         let (sender, receiver) = mpsc::channel();
         buffer.map_async(wgpu::MapMode::Read, .., move |result| {
             // The receiver lives until the result has come.

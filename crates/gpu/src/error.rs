@@ -43,6 +43,12 @@ pub enum GpuError {
         /// What the device said.
         reason: String,
     },
+    /// The device is gone: a driver that crashed, a card that was taken away, or [`Gpu::lose`](crate::Gpu::lose).
+    #[error("the graphics device was lost: {reason}")]
+    Lost {
+        /// What the driver layer said.
+        reason: String,
+    },
     /// The work did not end, or its result could not be read.
     #[error("the device failed: {reason}")]
     Failed {

@@ -9,11 +9,13 @@
 
 mod dispatch;
 mod error;
+mod fault;
 mod sequence;
 
 pub use error::GpuError;
 pub use sequence::{Access, Buffer, Kernel, Pass};
 
+use fault::Fault;
 use pollster::block_on;
 
 /// A device and its queue; a clone is the same device.
@@ -22,6 +24,7 @@ pub struct Gpu {
     device: wgpu::Device,
     queue: wgpu::Queue,
     adapter: String,
+    fault: Fault,
 }
 
 impl Gpu {
@@ -45,7 +48,16 @@ impl Gpu {
             ..Default::default()
         };
         let (device, queue) = block_on(adapter.request_device(&descriptor)).map_err(closed)?;
-        Ok(Self { device, queue, adapter: format!("{} ({}, {})", info.name, info.backend, info.driver_info) })
+        let fault = Fault::watch(&device);
+        let adapter = format!("{} ({}, {})", info.name, info.backend, info.driver_info);
+        Ok(Self { device, queue, adapter, fault })
+    }
+
+    /// Gives the device up, as a crashed driver would: whatever is asked of it afterwards is [`GpuError::Lost`].
+    pub fn lose(&self) {
+        self.device.destroy();
+        // The callback comes with the next poll; a device that is gone need not answer it.
+        let _ = self.device.poll(wgpu::PollType::Poll);
     }
 
     /// Name, backend and driver version of the adapter.

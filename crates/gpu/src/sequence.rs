@@ -76,8 +76,9 @@ impl Gpu {
         if bytes == 0 || !bytes.is_multiple_of(4) || bytes as wgpu::BufferAddress > buffer.inner.size() {
             return Err(GpuError::BufferSize { binding: 0, bytes });
         }
+        self.fault.check()?;
         self.queue.write_buffer(&buffer.inner, 0, contents);
-        Ok(())
+        self.fault.check()
     }
 
     /// What a buffer holds.
@@ -85,6 +86,7 @@ impl Gpu {
     /// # Errors
     /// [`GpuError::Failed`] if the device does.
     pub fn download(&self, buffer: &Buffer) -> Result<Vec<u8>, GpuError> {
+        self.fault.check()?;
         let size = buffer.inner.size();
         let usage = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
         let descriptor = wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false };
@@ -100,6 +102,7 @@ impl Gpu {
     /// # Errors
     /// [`GpuError::Refused`] with the compiler's message.
     pub fn kernel(&self, wgsl: &str, entry: &str, bindings: &[Access]) -> Result<Kernel, GpuError> {
+        self.fault.check()?;
         let scope = self.device.push_error_scope(ErrorFilter::Validation);
         let layout = self.group_layout(bindings);
         let pipeline = self.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -111,10 +114,10 @@ impl Gpu {
         let module = wgpu::ShaderModuleDescriptor { label: Some(entry), source };
         let module = self.device.create_shader_module(module);
         let pipeline = self.pipeline(&module, entry, Some(&pipeline));
-        match block_on(scope.pop()) {
+        self.fault.explain(match block_on(scope.pop()) {
             Some(error) => Err(GpuError::Refused { reason: error.to_string() }),
             None => Ok(Kernel { pipeline, layout }),
-        }
+        })
     }
 
     /// Runs passes one after the other in one submission, each seeing what those before it wrote. Does not wait.
@@ -155,7 +158,8 @@ impl Gpu {
     /// # Errors
     /// [`GpuError::Failed`] if the device does.
     pub fn wait(&self) -> Result<(), GpuError> {
-        self.device.poll(wgpu::PollType::wait_indefinitely()).map(|_| ()).map_err(GpuError::failed)
+        let waited = self.device.poll(wgpu::PollType::wait_indefinitely());
+        self.fault.explain(waited.map(|_| ()).map_err(GpuError::failed))
     }
 
     fn sized(&self, bytes: usize, make: impl FnOnce() -> wgpu::Buffer) -> Result<Buffer, GpuError> {
@@ -169,12 +173,13 @@ impl Gpu {
                 reason: format!("the device binds {limit} bytes at most"),
             });
         }
+        self.fault.check()?;
         let scope = self.device.push_error_scope(ErrorFilter::OutOfMemory);
         let inner = make();
-        match block_on(scope.pop()) {
+        self.fault.explain(match block_on(scope.pop()) {
             Some(error) => Err(GpuError::OutOfMemory { bytes, reason: error.to_string() }),
             None => Ok(Buffer { inner }),
-        }
+        })
     }
 
     fn group_layout(&self, bindings: &[Access]) -> wgpu::BindGroupLayout {
@@ -198,6 +203,7 @@ impl Gpu {
     }
 
     fn encode(&self, passes: &[Pass], queries: Option<&wgpu::QuerySet>) -> Result<(), GpuError> {
+        self.fault.check()?;
         let scope = self.device.push_error_scope(ErrorFilter::Validation);
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         for (index, pass) in (0_u32..).zip(passes) {
@@ -215,10 +221,10 @@ impl Gpu {
             compute.dispatch_workgroups(x, y, z);
         }
         self.queue.submit([encoder.finish()]);
-        match block_on(scope.pop()) {
+        self.fault.explain(match block_on(scope.pop()) {
             Some(error) => Err(GpuError::Refused { reason: error.to_string() }),
             None => Ok(()),
-        }
+        })
     }
 
     fn group(&self, pass: &Pass) -> wgpu::BindGroup {

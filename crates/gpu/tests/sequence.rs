@@ -41,3 +41,23 @@ fn what_does_not_fit_is_refused() {
     let pass = Pass { name: "short of one", kernel: &kernel, buffers: &only, groups: [1, 1, 1] };
     assert!(matches!(gpu.submit_passes(&[pass]), Err(GpuError::Refused { .. })));
 }
+
+#[test]
+fn a_device_that_is_lost_says_so_whatever_it_is_asked() {
+    let Some(gpu) = device() else { return };
+    let kernel = gpu.kernel(DOUBLE, "double", &[Access::Read, Access::Write]).unwrap();
+    let (a, b) = (gpu.zeroed(16).unwrap(), gpu.zeroed(16).unwrap());
+    let buffers = [&a, &b];
+    let passes = [Pass { name: "late", kernel: &kernel, buffers: &buffers, groups: [1, 1, 1] }];
+    gpu.lose();
+    let lost =
+        |result: Result<(), GpuError>| assert!(matches!(result, Err(GpuError::Lost { .. })), "{result:?}");
+    lost(gpu.upload(&[0; 4]).map(|_| ()));
+    lost(gpu.replace(&a, &[0; 4]));
+    lost(gpu.download(&a).map(|_| ()));
+    lost(gpu.kernel(DOUBLE, "double", &[Access::Read, Access::Write]).map(|_| ()));
+    lost(gpu.submit_passes(&passes));
+    lost(gpu.time_passes(&passes).map(|_| ()));
+    lost(gpu.clone().wait());
+    lost(gpu.run(DOUBLE, "double", &[&[0; 16]], 16, [1, 1, 1]).map(|_| ()));
+}

@@ -6,7 +6,6 @@
 mod worlds;
 
 use glam::DVec3;
-use std::time::Instant;
 use stratiform_pathtrace::{Request, Stop, trace};
 use stratiform_world::{HeightField, Map, Sky, World};
 
@@ -29,6 +28,14 @@ fn wide() -> HeightField {
     HeightField::new(Map::new(512, 16_000.0, small.map().values().to_vec()).unwrap()).unwrap()
 }
 
+/// Seconds that all threads of this process have run (Linux: proc(5), clock ticks of 10 ms).
+fn processor_seconds() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/stat").unwrap();
+    let fields: Vec<f64> =
+        text.rsplit(')').next().unwrap().split_whitespace().skip(11).map_while(|f| f.parse().ok()).collect();
+    (fields[0] + fields[1]) / 100.0
+}
+
 fn main() {
     let samples: u64 = std::env::args().filter_map(|a| a.parse().ok()).next().unwrap_or(16);
     let flat = || HeightField::flat(250.0, 1000.0).unwrap();
@@ -41,19 +48,18 @@ fn main() {
     ] {
         let run =
             |samples| trace(&world, &Request { stop: Stop::Samples(samples), crop: None, seed: 1 }).unwrap();
-        let start = Instant::now();
+        let start = processor_seconds();
         run(2);
-        let ready = start.elapsed().as_secs_f64();
-        let start = Instant::now();
+        let ready = processor_seconds() - start;
         let truth = run(samples);
-        let seconds = start.elapsed().as_secs_f64() - ready;
-        let paths = (samples - 2) as f64 * (64 * 36) as f64;
+        let seconds = processor_seconds() - start - 2.0 * ready;
+        let paths = samples as f64 * (64 * 36) as f64;
         let wanted = samples as f64 * (truth.median_error / 0.02) * (truth.median_error / 0.02);
         let largest = truth.largest_share.iter().copied().fold(0.0, f32::max);
-        let five_minutes = wanted * 320.0 * 180.0 * seconds / paths;
+        let two_cores = 0.5 * wanted * 320.0 * 180.0 * seconds / paths;
         println!(
-            "{name}: {:.0} paths/s, median error {:.4} after {samples}; 2 % takes {wanted:.0} samples, at 320x180 \
-             {five_minutes:.0} s; largest share of one path {largest:.3}; ready in {ready:.2} s",
+            "{name}: {:.0} paths a core second, median error {:.4} after {samples}; 2 % takes {wanted:.0} samples, at 320x180 \
+             {two_cores:.0} s on two cores; largest share of one path {largest:.3}; ready in {ready:.2} s",
             paths / seconds,
             truth.median_error
         );

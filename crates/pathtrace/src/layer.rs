@@ -50,10 +50,14 @@ pub(crate) struct Layer {
     block: usize,
     blocks: usize,
     bounds: Vec<[f64; 2]>,
+    /// Least thickness within `reach` metres of anywhere over a texel.
+    clear: Vec<f32>,
+    reach: f64,
 }
 
 impl Layer {
-    pub(crate) fn new(field: &HeightField, base: f64) -> Self {
+    /// `reach` is how far rays commonly go.
+    pub(crate) fn new(field: &HeightField, base: f64, reach: f64) -> Self {
         let (map, side) = (field.map(), field.map().side());
         let block = (1..=BLOCK.min(side)).rev().find(|k| side.is_multiple_of(*k)).unwrap_or(1);
         let heights = map.values().to_vec();
@@ -67,12 +71,51 @@ impl Layer {
         let bounds = bounds.collect();
         let all = span(heights.iter().copied());
         let texels_per_m = side as f64 / map.extent_m();
-        Self { base, side, texels_per_m, heights, all, block, blocks, bounds }
+        let clear = clear(&heights, side, reach * texels_per_m);
+        Self { base, side, texels_per_m, heights, all, block, blocks, bounds, clear, reach }
     }
 
     /// Follows `ray` until it has run `length` metres within the cloud.
     #[inline]
     pub(crate) fn follow(&self, ray: &Ray, length: f64) -> End {
+        let sure = if self.all[0] < self.all[1] { self.sure(ray, length) } else { 0.0 };
+        if sure >= length {
+            return End::Inside(length);
+        }
+        match self.trace(&Ray { origin: ray.at(sure), ..*ray }, length - sure) {
+            End::Inside(t) => End::Inside(sure + t),
+            End::Left(inside) => End::Left(sure + inside),
+        }
+    }
+
+    /// A first part of `length` metres that is inside by what surrounds the ray.
+    #[inline]
+    fn sure(&self, ray: &Ray, length: f64) -> f64 {
+        let mut sure = 0.0;
+        while sure < length {
+            let step = self.reach.min(length - sure);
+            if !self.is_inside(ray.at(sure), ray.direction.z * step) {
+                break;
+            }
+            sure += step;
+        }
+        sure
+    }
+
+    /// Whether all within reach of `point` and up to `rise` above it is cloud for certain.
+    #[inline]
+    fn is_inside(&self, point: DVec3, rise: f64) -> bool {
+        let z = point.z - self.base;
+        let (low, high) = (z.min(z + rise), z.max(z + rise));
+        if !(low >= 0.0 && high <= self.all[1]) {
+            return false;
+        }
+        let cell = |x: f64| wrap(floor(x * self.texels_per_m - 0.5), self.side);
+        high <= f64::from(self.clear[cell(point.y) * self.side + cell(point.x)])
+    }
+
+    /// The same, piece by piece.
+    fn trace(&self, ray: &Ray, length: f64) -> End {
         let z = ray.origin.z - self.base;
         let slope = 1.0 / ray.direction.z;
         let cross = |height: f64| (height - z) * slope;
@@ -104,8 +147,7 @@ impl Layer {
         loop {
             let [x, y] = blocks.cell;
             let (start, end) = (blocks.start, blocks.end().min(to));
-            let wrap = |k: i64| k.rem_euclid(self.blocks as i64) as usize;
-            let bounds = self.bounds[wrap(y) * self.blocks + wrap(x)];
+            let bounds = self.bounds[wrap(y, self.blocks) * self.blocks + wrap(x, self.blocks)];
             let found = match self.tell(ray, start, end, bounds) {
                 Some(true) => run.through(start, end),
                 Some(false) => None,
@@ -169,10 +211,9 @@ impl Layer {
     /// South-west, south-east, north-west, north-east.
     #[inline]
     fn corners(&self, [x, y]: [i64; 2]) -> [f64; 4] {
-        let wrap = |k: i64| k.rem_euclid(self.side as i64) as usize;
+        let (west, row) = (wrap(x, self.side), wrap(y, self.side));
         let next = |k: usize| if k + 1 == self.side { 0 } else { k + 1 };
-        let (west, south) = (wrap(x), wrap(y) * self.side);
-        let (east, north) = (next(west), next(wrap(y)) * self.side);
+        let (east, south, north) = (next(west), row * self.side, next(row) * self.side);
         [
             self.heights[south + west],
             self.heights[south + east],
@@ -212,6 +253,127 @@ impl Run {
     }
 }
 
+/// The place of `k` in a period of `n`.
+#[inline]
+fn wrap(k: i64, n: usize) -> usize {
+    let n = n as i64;
+    (if n & (n - 1) == 0 { k & (n - 1) } else { k.rem_euclid(n) }) as usize
+}
+
+/// The next whole number below, without a call.
+#[inline]
+fn floor(x: f64) -> i64 {
+    let towards_zero = x as i64;
+    towards_zero - i64::from((towards_zero as f64) > x)
+}
+
+/// Least of the heights within `reach` texels of each cell between texels, along both axes in turn.
+fn clear(heights: &[f64], side: usize, reach: f64) -> Vec<f32> {
+    let reach = (reach.ceil() as usize).min(side);
+    let row = |at: &dyn Fn(usize) -> f64| -> Vec<f64> {
+        let around = |k: usize| (k + side - reach..=k + side + reach + 1).map(|k| at(k % side));
+        (0..side).map(|k| around(k).fold(f64::INFINITY, f64::min)).collect()
+    };
+    let rows: Vec<Vec<f64>> = (0..side).map(|y| row(&|x| heights[y * side + x])).collect();
+    let columns: Vec<Vec<f64>> = (0..side).map(|x| row(&|y| rows[y][x])).collect();
+    // Rounded down.
+    (0..side * side).map(|i| (columns[i % side][i / side] as f32).next_down().max(0.0)).collect()
+}
+
 fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, 0.0], |[least, most], h| [least.min(h), most.max(h)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::Rng;
+    use stratiform_stats::{Purpose, key, photon_stream};
+    use stratiform_world::Map;
+
+    /// Hills of up to 500 m, some texels without cloud, over 2 km.
+    fn hills(side: usize) -> HeightField {
+        let mut rng = photon_stream(key(3, Purpose::Calibration), side as u64);
+        let texels =
+            (0..side * side).map(|_| (f64::from(rng.next_u32()) / 4_294_967_296.0 - 0.3).max(0.0) * 700.0);
+        HeightField::new(Map::new(side, 2000.0, texels.collect()).unwrap()).unwrap()
+    }
+
+    fn rays(count: u64) -> impl Iterator<Item = Ray> {
+        (0..count).map(|i| {
+            let mut rng = photon_stream(key(4, Purpose::Calibration), i);
+            let mut number = || f64::from(rng.next_u32()) / 4_294_967_296.0;
+            let z = 2.0 * number() - 1.0;
+            let (sine, cosine) = libm::sincos(std::f64::consts::TAU * number());
+            let across = (1.0 - z * z).sqrt();
+            // From beyond the period, from below to above the cloud.
+            let origin = DVec3::new(9000.0 * number() - 4000.0, 5000.0 * number(), 900.0 + 700.0 * number());
+            Ray { origin, direction: crate::random::level(DVec3::new(across * cosine, across * sine, z)) }
+        })
+    }
+
+    /// Length inside by midpoints of 0.25 m steps, as far as the ray is within the layer's altitudes.
+    fn by_steps(field: &HeightField, ray: &Ray) -> f64 {
+        let ends = [1000.0, 1000.0 + field.most()].map(|z| (z - ray.origin.z) / ray.direction.z);
+        let (from, to) = (ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1]).min(20_000.0));
+        let steps = ((to - from).max(0.0) / 0.25).ceil();
+        (0..steps as usize).fold(0.0, |sum, i| {
+            let step = (to - from) / steps;
+            let p = ray.at(from + (i as f64 + 0.5) * step);
+            sum + if p.z - 1000.0 < field.thickness(p.x, p.y) { step } else { 0.0 }
+        })
+    }
+
+    #[test]
+    fn chords_are_those_of_small_steps() {
+        for side in [1, 2, 7, 16, 40] {
+            let field = hills(side);
+            let layer = Layer::new(&field, 1000.0, 60.0);
+            let mut inside = 0;
+            for ray in rays(400).filter(|ray| ray.direction.z.abs() > 0.03) {
+                let (found, expected) = (layer.chord(&ray), by_steps(&field, &ray));
+                // Half a step at each surface.
+                assert!(
+                    (found - expected).abs() < 2.0 + 1e-4 * expected,
+                    "{side} {ray:?}: {found} {expected}"
+                );
+                inside += usize::from(found > 0.0);
+            }
+            assert!(side == 1 || inside > 100, "guard against checking nothing: {inside}");
+        }
+    }
+
+    /// What is run up to a place inside is what is asked for, and the place is in the cloud.
+    #[test]
+    fn a_length_ends_where_the_chord_up_to_it_is_that_long() {
+        let field = hills(16);
+        let layer = Layer::new(&field, 1000.0, 60.0);
+        for ray in rays(2000) {
+            let chord = layer.chord(&ray);
+            for share in [1e-9, 0.3, 0.999] {
+                let End::Inside(t) = layer.follow(&ray, share * chord) else {
+                    assert!(chord == 0.0, "{ray:?}");
+                    continue;
+                };
+                let rest = layer.chord(&Ray { origin: ray.at(t), ..ray });
+                assert!(
+                    (share * chord + rest - chord).abs() < 1e-6 * (1.0 + chord),
+                    "{ray:?}: {rest} of {chord}"
+                );
+            }
+            assert_eq!(layer.follow(&ray, chord + 1e-6 * (1.0 + chord)), End::Left(chord));
+        }
+    }
+
+    #[test]
+    fn a_flat_layer_is_a_slab_and_nothing_is_empty() {
+        let slab = Layer::new(&HeightField::flat(200.0, 700.0).unwrap(), 1000.0, 60.0);
+        let ray = Ray { origin: DVec3::new(3.0, 4.0, 0.0), direction: DVec3::new(0.6, 0.0, 0.8) };
+        assert!((slab.chord(&ray) - 250.0).abs() < 1e-9);
+        assert_eq!(slab.chord(&Ray { origin: DVec3::new(0.0, 0.0, 1300.0), ..ray }), 0.0);
+        let up = Ray { direction: DVec3::Z, ..ray };
+        assert!((slab.chord(&up) - 200.0).abs() < 1e-9);
+        let empty = Layer::new(&HeightField::flat(0.0, 700.0).unwrap(), 1000.0, 60.0);
+        assert_eq!((empty.chord(&ray), empty.follow(&up, 1e-300)), (0.0, End::Left(0.0)));
+    }
 }

@@ -16,6 +16,9 @@
 //! Units: metres; linear sRGB radiance in units of the sun's irradiance. Domain: sun above the horizon, camera above the ground, θ_f in
 //! (0, 90)°, ω in \[0, 1\]. Errors: [`PathtraceError`]. The same seed gives the same bytes for any number of threads.
 
+mod carrier;
+#[cfg(test)]
+mod energy;
 mod error;
 mod halo;
 mod layer;

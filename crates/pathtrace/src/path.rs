@@ -1,32 +1,24 @@
 //! One path from the camera back to what lit it.
 
+use crate::carrier::Carrier;
 use crate::halo;
 use crate::layer::{End, Ray};
-use crate::light::{Light, mean};
+use crate::light::Light;
 use crate::random::{cosine, exponential, level, turned, uniform};
 use crate::scene::Scene;
-use crate::sunlight::balanced;
 use glam::DVec3;
 use rand::Rng;
 use rand_pcg::Pcg32;
 use std::f64::consts::PI;
 use stratiform_world::Contribution;
 
-/// The path's colour.
-pub(crate) struct Carrier {
-    /// The channel that is sampled.
-    pub(crate) channel: usize,
-    /// Products of phase functions over their mean.
-    pub(crate) ratio: [f64; 3],
-    /// The ground's share so far, roulette included.
-    tint: [f64; 3],
-}
-
 /// A path under way.
 struct Path<'a> {
     scene: &'a Scene<'a>,
     ray: Ray,
     carrier: Carrier,
+    /// The ground's share so far, roulette included.
+    tint: [f64; 3],
     /// Wide events so far.
     wide: u32,
     /// Whether the ground was touched, and whether before any wide event.
@@ -42,9 +34,9 @@ pub(crate) fn trace(scene: &Scene<'_>, mut ray: Ray, rng: &mut Pcg32) -> Light {
     if scene.sunlit {
         halo::collect(scene, &ray, rng, &mut light);
     }
-    let channel = (uniform(rng) * 3.0) as usize;
-    let carrier = Carrier { channel, ratio: [1.0; 3], tint: [1.0; 3] };
-    let mut path = Path { scene, ray, carrier, wide: 0, ground: false, behind: false, light };
+    let carrier = Carrier::new((uniform(rng) * 3.0) as usize);
+    let tint = [1.0; 3];
+    let mut path = Path { scene, ray, carrier, tint, wide: 0, ground: false, behind: false, light };
     while path.fly(rng) {}
     path.light
 }
@@ -67,29 +59,28 @@ impl Path<'_> {
     }
 
     fn scatter(&mut self, rng: &mut Pcg32) -> bool {
-        let scene = self.scene;
+        let (scene, channel) = (self.scene, self.carrier.channel);
         if scene.albedo < 1.0 && uniform(rng) >= scene.albedo {
             return false;
         }
-        let channel = self.carrier.channel;
-        let v = if uniform(rng) < scene.forward[channel] {
-            scene.phases.forward(channel, rng.next_u32())
-        } else {
+        let forward = uniform(rng) < scene.forward[channel];
+        if !forward {
             if scene.sunlit {
-                self.collect_sun(rng);
+                self.collect(rng);
             }
             self.wide += 1;
-            scene.phases.wide(channel, rng.next_u32())
-        };
-        self.carrier.ratio = balanced(self.carrier.ratio, scene.phases.values(v));
+        }
+        let v = scene.phases.sample(channel, forward, rng.next_u32());
+        let p = scene.phases.values(v);
         self.ray.direction = turned(self.ray.direction, v, rng);
-        true
+        self.carrier.scatter(p);
+        p != [0.0; 3]
     }
 
-    /// Sunlight that a wide event sends along the path. The event is wide by chance 1 - P_f of the path's own channel.
-    fn collect_sun(&mut self, rng: &mut Pcg32) {
+    /// Sunlight that the coming event sends along the path. That it is wide had the chance 1 - P_f of the path's own channel.
+    fn collect(&mut self, rng: &mut Pcg32) {
         let scene = self.scene;
-        let Some(arrival) = scene.sunlight(self.ray.origin, &self.carrier, rng) else { return };
+        let Some(arrival) = scene.sunlight(self.ray.origin, self.carrier, rng) else { return };
         let v = 0.5 * (self.ray.direction - arrival.direction).length_squared();
         if v < scene.phases.edge {
             return;
@@ -109,7 +100,12 @@ impl Path<'_> {
     fn leave(&mut self) {
         let radiance = self.scene.world.sky.radiance(self.ray.direction);
         let radiance = std::array::from_fn(|c| radiance[c] * self.carrier.ratio[c]);
-        self.add(self.seen(Contribution::Sky), radiance);
+        let contribution = match (self.ground, self.wide) {
+            (true, _) => Contribution::Ground,
+            (false, 0) => Contribution::Background,
+            _ => Contribution::Sky,
+        };
+        self.add(contribution, radiance);
     }
 
     fn touch_ground(&mut self, rng: &mut Pcg32) -> bool {
@@ -131,23 +127,13 @@ impl Path<'_> {
         if most < 1.0 && uniform(rng) >= most {
             return false;
         }
-        self.carrier.tint = std::array::from_fn(|c| self.carrier.tint[c] * albedo[c] / most);
+        self.tint = std::array::from_fn(|c| self.tint[c] * albedo[c] / most);
         self.ray.direction = level(cosine(rng));
         true
     }
 
-    /// What light is counted as that is `otherwise` if it met a wide event and not the ground.
-    fn seen(&self, otherwise: Contribution) -> Contribution {
-        match (self.ground, self.wide) {
-            (true, _) => Contribution::Ground,
-            (false, 0) => Contribution::Background,
-            _ => otherwise,
-        }
-    }
-
     fn add(&mut self, contribution: Contribution, radiance: [f64; 3]) {
         let contribution = if self.behind { Contribution::Background } else { contribution };
-        debug_assert!(mean(radiance) >= 0.0);
-        self.light.add(contribution, std::array::from_fn(|c| radiance[c] * self.carrier.tint[c]));
+        self.light.add(contribution, std::array::from_fn(|c| radiance[c] * self.tint[c]));
     }
 }

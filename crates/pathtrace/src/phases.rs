@@ -59,16 +59,11 @@ impl Phases {
         self.channels.each_ref().map(|channel| channel.forward_fraction)
     }
 
-    /// 1 - cosΘ of a forward event of one channel.
+    /// 1 - cosΘ of a forward or a wide event of one channel.
     #[inline]
-    pub(crate) fn forward(&self, channel: usize, bits: u32) -> f64 {
-        self.channels[channel].forward.as_ref().map_or(0.0, |table| table.sample(bits))
-    }
-
-    /// 1 - cosΘ of a wide event of one channel.
-    #[inline]
-    pub(crate) fn wide(&self, channel: usize, bits: u32) -> f64 {
-        self.channels[channel].wide.sample(bits)
+    pub(crate) fn sample(&self, channel: usize, forward: bool, bits: u32) -> f64 {
+        let Channel { forward: peak, wide, .. } = &self.channels[channel];
+        if forward { peak.as_ref().map_or(0.0, |peak| peak.sample(bits)) } else { wide.sample(bits) }
     }
 
     /// P of each channel at v = 1 - cosΘ.

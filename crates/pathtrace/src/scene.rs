@@ -7,6 +7,9 @@ use crate::phases::Phases;
 use stratiform_quantities::{DomainError, Range};
 use stratiform_world::World;
 
+/// Mean free paths that most flights are shorter than.
+const REACH: f64 = 2.5;
+
 /// All that paths read.
 pub(crate) struct Scene<'a> {
     pub(crate) world: &'a World,
@@ -31,7 +34,7 @@ impl<'a> Scene<'a> {
         let halos = if sunlit { Halos::new(&material.colour, material.theta_f_deg)? } else { Halos::none() };
         Ok(Self {
             world,
-            layer: Layer::new(&world.field, world.base_m),
+            layer: Layer::new(&world.field, world.base_m, REACH / material.extinction_per_m),
             forward: phases.forward_fractions(),
             phases,
             halos,

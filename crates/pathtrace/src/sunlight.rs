@@ -5,9 +5,9 @@
 //! e^{-λ_h}(ωκl)^m/m! Π P_h(Θ_j), λ_h = ωκP_{f,h} l; the balance heuristic takes the mean of the three densities, products of the path so
 //! far included. Legs of more than a few mean free paths are roulette along the way.
 
+use crate::carrier::Carrier;
 use crate::layer::{End, Ray};
 use crate::light::mean;
-use crate::path::Carrier;
 use crate::random::{exponential, poisson, turned};
 use crate::scene::Scene;
 use glam::DVec3;
@@ -44,20 +44,19 @@ impl Scene<'_> {
     }
 
     /// Light that arrives at a droplet, with its forward events.
-    pub(crate) fn sunlight(&self, origin: DVec3, carrier: &Carrier, rng: &mut Pcg32) -> Option<Arrival> {
+    pub(crate) fn sunlight(&self, origin: DVec3, mut carrier: Carrier, rng: &mut Pcg32) -> Option<Arrival> {
         let Leg { length, weight } = self.leg(origin, rng)?;
         let path = self.extinction * length;
         let missing = self.forward.map(|forward| libm::exp(-self.albedo * path * forward));
         let mut direction = self.world.sun.direction;
-        let mut ratio = carrier.ratio;
         for _ in 0..poisson(missing[carrier.channel], rng) {
-            let v = self.phases.forward(carrier.channel, rng.next_u32());
+            let v = self.phases.sample(carrier.channel, true, rng.next_u32());
             direction = turned(direction, v, rng);
-            ratio = balanced(ratio, self.phases.values(v));
+            carrier.scatter(self.phases.values(v));
         }
-        let density = mean(std::array::from_fn(|c| ratio[c] * missing[c]));
+        let density = mean(std::array::from_fn(|c| carrier.ratio[c] * missing[c]));
         let scale = weight * libm::exp(-path) / density;
-        Some(Arrival { direction, share: ratio.map(|r| r * scale) })
+        Some(Arrival { direction, share: carrier.ratio.map(|r| r * scale) })
     }
 
     /// Light that arrives at the ground, its forward events summed: they leave the flux of the beam as it is.
@@ -68,12 +67,4 @@ impl Scene<'_> {
         let through = self.forward.map(|forward| libm::exp(-path * (1.0 - self.albedo * forward)));
         std::array::from_fn(|c| carrier.ratio[c] * weight * cosine * through[c])
     }
-}
-
-/// Ratios of the products to their mean, after one more factor each.
-#[inline]
-pub(crate) fn balanced(ratio: [f64; 3], factor: [f64; 3]) -> [f64; 3] {
-    let product: [f64; 3] = std::array::from_fn(|c| ratio[c] * factor[c]);
-    let scale = 1.0 / mean(product);
-    product.map(|p| p * scale)
 }

@@ -15,16 +15,23 @@
 //! Radiance is in units of the sun's irradiance normal to its beam, linear sRGB. Lines of sight nearer than 1e-3 rad to the horizontal are
 //! followed at 1e-3.
 
+mod check;
+mod cloud;
 mod error;
+mod field;
 mod generated;
+mod ground_light;
+mod outside;
 mod phase_table;
 mod pyramid;
 pub mod radiosity;
 mod readback;
 mod renderer;
 mod settings;
+pub mod twin;
 mod view;
 
 pub use error::RenderError;
+pub use ground_light::GroundLight;
 pub use renderer::{PassTime, Renderer};
 pub use settings::{Contributions, Depth, Emissions, Model, Normals, Radiosity, RingRule, Settings};

@@ -1,17 +1,16 @@
-//! The pyramid of greatest thicknesses above the height field, by which a ray crosses clear air at once.
+//! Where the pyramid of greatest thicknesses lies in the buffer of the height field.
 
-use crate::RenderError;
 use crate::view::LEVELS;
-use stratiform_gpu::{Access, Buffer, Gpu, Kernel, Pass};
 
-const TEXT: &str = include_str!("wgsl/pyramid.wgsl");
+/// A level: its first number in the buffer, and its texels a side.
+pub type Level = [u32; 2];
 
-/// Where each level lies in the buffer behind the thicknesses, and its texels a side.
+/// The levels behind the thicknesses, from single cells up to the whole field.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Levels(Vec<[u32; 2]>);
+pub struct Levels(Vec<Level>);
 
 impl Levels {
-    /// Down to one texel.
+    /// Of a field of `side` texels a side, 1 to 8192.
     pub fn new(side: u32) -> Self {
         let mut levels = vec![[side * side, side]];
         while let Some(&[start, side]) = levels.last()
@@ -32,50 +31,28 @@ impl Levels {
         self.0.last().map_or(0, |[start, side]| (start + side * side) as usize)
     }
 
+    /// What each level is made from, and the level.
+    pub fn steps(&self) -> impl Iterator<Item = (Level, Level)> {
+        let field = [0, self.0[0][1]];
+        std::iter::once(field).chain(self.0.iter().copied()).zip(self.0.iter().copied())
+    }
+
     /// For the passes.
     pub fn table(&self) -> [[u32; 4]; LEVELS] {
         std::array::from_fn(|i| self.0.get(i).map_or([0; 4], |[start, side]| [*start, *side, 0, 0]))
     }
 }
 
-/// The passes that fill it.
-#[derive(Debug)]
-pub struct Pyramid {
-    cells: Kernel,
-    blocks: Kernel,
-    levels: Vec<(Buffer, u32)>,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-impl Pyramid {
-    /// For a field of this size.
-    ///
-    /// # Errors
-    /// [`RenderError::Gpu`].
-    pub fn new(gpu: &Gpu, levels: &Levels) -> Result<Self, RenderError> {
-        let bindings = [Access::Uniform, Access::Write];
-        let cells = gpu.kernel(TEXT, "pyramid_cells", &bindings)?;
-        let blocks = gpu.kernel(TEXT, "pyramid_blocks", &bindings)?;
-        let sources = std::iter::once([0, levels.0[0][1]]).chain(levels.0.iter().copied());
-        let level = |([source, source_side], [start, side]): ([u32; 2], &[u32; 2])| {
-            Ok((gpu.upload(bytemuck::cast_slice(&[source, source_side, *start, *side]))?, *side))
-        };
-        let levels = sources.zip(&levels.0).map(level).collect::<Result<_, RenderError>>()?;
-        Ok(Self { cells, blocks, levels })
-    }
-
-    /// Bindings of each pass.
-    pub fn buffers<'a>(&'a self, heights: &'a Buffer) -> Vec<[&'a Buffer; 2]> {
-        self.levels.iter().map(|(level, _)| [level, heights]).collect()
-    }
-
-    /// One pass a level.
-    pub fn passes<'a>(&'a self, buffers: &'a [[&'a Buffer; 2]]) -> Vec<Pass<'a>> {
-        let pass = |(index, ((_, side), buffers)): (usize, (&'a (Buffer, u32), &'a [&'a Buffer; 2]))| Pass {
-            name: "pyramid",
-            kernel: if index == 0 { &self.cells } else { &self.blocks },
-            buffers,
-            groups: [side.div_ceil(8), side.div_ceil(8), 1],
-        };
-        self.levels.iter().zip(buffers).enumerate().map(pass).collect()
+    #[test]
+    fn levels_halve_down_to_one_texel() {
+        let levels = Levels::new(5);
+        let sides: Vec<u32> = levels.steps().map(|(_, [_, side])| side).collect();
+        assert_eq!((sides, levels.top(), levels.numbers()), (vec![5, 3, 2, 1], 3, 25 + 25 + 9 + 4 + 1));
+        assert_eq!((Levels::new(1).top(), Levels::new(1).numbers()), (0, 2));
+        assert!(Levels::new(8192).top() < LEVELS as u32);
     }
 }

@@ -14,7 +14,8 @@ pub enum Model {
     Fitted,
 }
 
-/// Which weights the three nested squares of the ring integration get (physics: form factors of discs against squares).
+/// How light from one plane to the other is summed: which weights three nested squares of sides h, 2h, 8h get (levels 0, 1, 3 of a pyramid
+/// whose texels are h), or every texel its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RingRule {
     /// Levels 0, 1, 3 with the printed weights 0.5, 0.3, 0.2 of discs.
@@ -25,6 +26,8 @@ pub enum RingRule {
     SquareWeights,
     /// No squares: every texel with its own form factor.
     Exact,
+    /// Every texel with the weight that makes the least error where texels are means and results are read bilinearly.
+    LeastSquares,
 }
 
 /// Light between ground and cloud.
@@ -124,7 +127,7 @@ pub struct Settings {
 
 impl Default for Settings {
     fn default() -> Self {
-        let (rings, form) = (RingRule::Exact, Form::Corrected);
+        let (rings, form) = (RingRule::LeastSquares, Form::Corrected);
         Self {
             model: Model::Fitted,
             contributions: Contributions::all(),

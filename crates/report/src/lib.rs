@@ -8,6 +8,7 @@
 mod atlas;
 mod chart;
 mod checks;
+mod comparison;
 mod error;
 mod figures;
 mod input;
@@ -15,6 +16,7 @@ mod methods;
 mod page;
 
 pub use atlas::{AtlasSummary, build as build_atlas};
+pub use comparison::{build as build_comparison, draw_costs};
 pub use error::ReportError;
 use input::Inputs;
 pub use methods::{ChartSummary, build as build_chart};

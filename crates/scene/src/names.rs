@@ -29,6 +29,7 @@ scenes!(
     PICTURES, PICTURE_TEXTS:
     "stratocumulus",
     "stratocumulus-from-below",
+    "glory",
     "fogbow",
     "pseudo-specular",
     "silver-lining",

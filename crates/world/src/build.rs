@@ -1,7 +1,7 @@
 //! A scene and its files made concrete.
 
 use crate::field::height_field;
-use crate::{Camera, Material, Sky, Sun, World, WorldError, ground_map, stub};
+use crate::{Air, Camera, ClearSky, Material, Sky, Sun, World, WorldError, ground_map};
 use glam::DVec3;
 use std::f64::consts::PI;
 use std::path::Path;
@@ -18,13 +18,17 @@ impl World {
     pub fn build(scene: &Scene, folder: &Path, moment_s: f64) -> Result<Self, WorldError> {
         let (said_camera, clouds) = picture(scene)?;
         let tables = folder.join(&clouds.tables);
-        let material = stub::load(&tables)?;
+        let material = Material::load(&tables)?;
         agree(scene, &material, &tables)?;
-        let sun = sun(&scene.sun)?;
+        let mut sun = sun(&scene.sun)?;
+        let sky = sky(scene, &sun, clouds)?;
+        if let (Sky::Clear(clear), None) = (&sky, scene.sun.irradiance) {
+            sun.irradiance = clear.sun_irradiance();
+        }
         let world = Self {
             camera: Camera::of(said_camera),
             sun,
-            sky: sky(&scene.sky),
+            sky,
             ground: ground_map::ground(&scene.ground_or_default(), clouds.extent_m, folder)?,
             base_m: clouds.base_m,
             field: height_field(clouds, folder, moment_s)?,
@@ -100,15 +104,28 @@ fn sun(sun: &said::Sun) -> Result<Sun, WorldError> {
     })?;
     Ok(Sun {
         direction: DVec3::from_array(direction(sun.azimuth_deg, 90.0 - theta_deg)),
-        irradiance: sun.irradiance,
+        irradiance: sun.irradiance.unwrap_or([1.0; 3]),
         angular_radius_deg: sun.angular_radius_deg,
     })
 }
 
-fn sky(sky: &said::Sky) -> Sky {
-    match sky.model {
-        SkyModel::Uniform => Sky::Uniform([sky.share / PI; 3]),
+/// Share of the sun's light that a uniform sky has where nobody says: that of Bouthors, Neyret & Lefebvre 2006.
+const SHARE: f64 = 0.25;
+
+/// The sky above the base of the clouds.
+fn sky(scene: &Scene, sun: &Sun, clouds: &said::Clouds) -> Result<Sky, WorldError> {
+    let said = &scene.sky;
+    if said.model == SkyModel::Uniform {
+        return Ok(Sky::Uniform([said.share.unwrap_or(SHARE) / PI; 3]));
     }
+    let usual = Air::default();
+    let air = Air {
+        turbidity: said.turbidity.unwrap_or(usual.turbidity),
+        ground_albedo: scene.ground_or_default().mean_albedo().unwrap_or(usual.ground_albedo),
+        altitude_m: clouds.base_m,
+        ..usual
+    };
+    Ok(Sky::Clear(ClearSky::new(sun.direction, &air)?))
 }
 
 /// How far the record of a folder may be from the scene, relative: digits that people write.

@@ -15,16 +15,17 @@ mod height_field;
 mod light;
 mod map;
 mod material;
-mod stub;
+mod sky;
 
 pub use camera::Camera;
 pub use contribution::Contribution;
 pub use error::WorldError;
 pub use ground::Ground;
 pub use height_field::HeightField;
-pub use light::{Sky, Sun};
+pub use light::Sun;
 pub use map::Map;
 pub use material::Material;
+pub use sky::{Air, ClearSky, Sky, SkyTable};
 
 /// All that a picture is of.
 #[derive(Clone, Debug)]

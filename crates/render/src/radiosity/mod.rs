@@ -15,6 +15,7 @@
 mod error;
 mod exchange;
 pub mod form_factor;
+mod least_squares;
 mod passes;
 mod plan;
 mod slab;
@@ -29,4 +30,4 @@ pub use plan::Plan;
 pub use slab::Slab;
 pub use texels::Texels;
 pub use twin::{Light, Planes, Received, ground_direct, planes};
-pub use weights::Weights;
+pub use weights::{Weights, side_for};

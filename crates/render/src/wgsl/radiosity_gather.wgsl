@@ -8,14 +8,20 @@
 @group(0) @binding(5) var<storage, read_write> received: array<vec4<f32>>;
 @group(0) @binding(6) var<storage, read_write> given_back: array<vec4<f32>>;
 
-@compute @workgroup_size(64)
-fn radiosity_gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+@compute @workgroup_size(8, 8)
+fn radiosity_gather(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(local_invocation_id) id: vec3<u32>,
+    @builtin(local_invocation_index) local: u32,
+) {
     let n = exchange.side;
     var mine = vec4<f32>();
-    for (var i = local; i < n * n; i += 64u) {
-        let there = vec2<u32>(i % n, i / n);
-        let offset = (there + n - group.xy) % n;
-        mine += weights[offset.y * n + offset.x] * radiosity[i];
+    for (var y = id.y; y < n; y += 8u) {
+        let north = n * select(y + n - group.y, y - group.y, y >= group.y);
+        for (var x = id.x; x < n; x += 8u) {
+            let east = select(x + n - group.x, x - group.x, x >= group.x);
+            mine += weights[north + east] * radiosity[y * n + x];
+        }
     }
     let irradiance = sum_of_group(local, mine);
     if (local == 0u) {

@@ -79,6 +79,15 @@ pub fn check_wavelengths(wavelengths_um: &[f64]) -> Result<(), TablesError> {
     Ok(())
 }
 
+/// What a spectrum at `wavelengths_um` adds to linear sRGB, with D65 as white: a channel is Σ w_k S(λ_k), and 1 for S = 1.
+///
+/// # Errors
+/// Those of [`srgb_phase`].
+pub fn channel_weights(wavelengths_um: &[f64]) -> Result<Vec<[f64; 3]>, TablesError> {
+    check_wavelengths(wavelengths_um)?;
+    Ok(weights(wavelengths_um))
+}
+
 /// What each given wavelength adds to each channel; the weights of a channel add up to 1.
 fn weights(wavelengths: &[f64]) -> Vec<[f64; 3]> {
     let mut weights = vec![[0.0; 3]; wavelengths.len()];
