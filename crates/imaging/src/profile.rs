@@ -19,7 +19,11 @@ pub struct Steps {
 
 impl Steps {
     /// The step that holds a coordinate.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to the number of steps")]
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "from 0 to the number of steps"
+    )]
     fn index(&self, coordinate: f64) -> Option<usize> {
         let step = (coordinate - self.start) / self.width;
         (step >= 0.0 && step < self.count as f64).then_some(step as usize)

@@ -150,7 +150,13 @@ pub fn places(image: &Image) -> impl Iterator<Item = (usize, usize)> {
 ///
 /// # Errors
 /// [`ImagingError`] for a pixel that is no number.
-pub fn rings(world: &World, image: &Image, channel: usize, low: f64, high: f64) -> Result<Profile, EffectError> {
+pub fn rings(
+    world: &World,
+    image: &Image,
+    channel: usize,
+    low: f64,
+    high: f64,
+) -> Result<Profile, EffectError> {
     let width = pixel_deg(&world.camera);
     let pixel = |(x, y)| (scattering_deg(world, (x, y)), f64::from(image.at(x, y)[channel]));
     Ok(Profile::new(&steps(low, high, width), places(image).map(pixel))?)

@@ -20,7 +20,12 @@ fn medium(phase: &PhaseTable) -> Result<SolveMedium, EffectError> {
 ///
 /// # Errors
 /// Those of the solver.
-pub fn radiance(world: &World, phase: &PhaseTable, tau: f64, rays: &[DVec3]) -> Result<Vec<f64>, EffectError> {
+pub fn radiance(
+    world: &World,
+    phase: &PhaseTable,
+    tau: f64,
+    rays: &[DVec3],
+) -> Result<Vec<f64>, EffectError> {
     let sun = world.sun.direction;
     let views: Vec<View> = rays.iter().map(|ray| view(*ray, sun)).collect();
     let solved = RadianceSolver::new(medium(phase)?, TOLERANCE)?.radiance(&[tau], &[sun.z], &views)?;

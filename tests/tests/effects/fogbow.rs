@@ -1,6 +1,7 @@
 //! The white bow, about 142 degrees from the sun, over the light of many events that pales it.
 
 use crate::device::device;
+use std::f64::consts::PI;
 use stratiform_gpu::Gpu;
 use stratiform_imaging::Image;
 use stratiform_imaging::profile::{Profile, contrast};
@@ -9,7 +10,6 @@ use stratiform_tests::effects::{
     draw, flat, pixel_deg, places, ray, rings, scattering_deg, seen, solved, sunlight, without, world,
 };
 use stratiform_world::{Contribution, World};
-use std::f64::consts::PI;
 
 /// Where the bow and the darker cloud inside it are looked for, Θ in degrees.
 const LOOK: [f64; 2] = [134.0, 152.0];
@@ -54,7 +54,9 @@ fn the_bow_is_where_its_phase_functions_over_many_events_have_it_and_near_white(
     let pixels = places(&expected).map(lit).collect();
     expected = Image::new(expected.width(), expected.height(), pixels).unwrap();
     let mut bow = [0.0; 3];
-    for (channel, (found, expected)) in profiles(&world, &drawn).iter().zip(profiles(&world, &expected)).enumerate() {
+    for (channel, (found, expected)) in
+        profiles(&world, &drawn).iter().zip(profiles(&world, &expected)).enumerate()
+    {
         let (theta, light) = found.maxima()[0];
         let (predicted, _) = expected.maxima()[0];
         bow[channel] = light;

@@ -60,6 +60,7 @@ fn a_grey_phase_function_has_no_order_of_colours() {
     let Some(gpu) = device() else { return };
     let mut world = near();
     world.material.colour = std::array::from_fn(|_| world.material.phase.clone());
-    let [red, green, blue] = profiles(&gpu, &world, &Settings::default()).map(|profile| profile.maxima()[0].0);
+    let [red, green, blue] =
+        profiles(&gpu, &world, &Settings::default()).map(|profile| profile.maxima()[0].0);
     assert!((red - blue).abs() < 0.01 && (green - blue).abs() < 0.01, "{red} {green} {blue}");
 }

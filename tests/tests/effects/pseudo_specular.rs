@@ -4,7 +4,9 @@ use crate::device::device;
 use glam::DVec3;
 use stratiform_gpu::Gpu;
 use stratiform_render::Settings;
-use stratiform_tests::effects::{draw, flat, luminance, ray, seen, solved, sunlight, towards, without, world};
+use stratiform_tests::effects::{
+    draw, flat, luminance, ray, seen, solved, sunlight, towards, without, world,
+};
 use stratiform_world::{Contribution, World};
 
 const SUNLIGHT: [Contribution; 4] =

@@ -45,7 +45,10 @@ fn the_disc_is_as_bright_and_as_large_as_the_air_leaves_it() {
             let inside = scattering_deg(&world, place) < world.sun.angular_radius_deg;
             let found = f64::from(image.at(place.0, place.1)[1]);
             let expected = libm::exp(-path(&world, ray(&world, place))) * behind(&world);
-            assert!(if inside { (found / expected - 1.0).abs() < 1e-4 } else { found < 1e-3 * expected }, "{place:?} {found} {expected}");
+            assert!(
+                if inside { (found / expected - 1.0).abs() < 1e-4 } else { found < 1e-3 * expected },
+                "{place:?} {found} {expected}"
+            );
         }
     }
 }
