@@ -1,5 +1,6 @@
 //! What holds between the crates. The tests themselves are in `tests/`; here is what they share.
 
+pub mod effects;
 pub mod languages;
 
 use std::fs;

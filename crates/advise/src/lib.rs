@@ -9,6 +9,7 @@
 mod advice;
 mod budget;
 mod choose;
+mod contributions;
 mod cover;
 mod data;
 mod emitted;
@@ -21,6 +22,7 @@ mod text;
 pub use advice::{Advice, Bounce, Channels, Rejected};
 pub use budget::Budget;
 pub use choose::{Candidate, advise, candidates};
+pub use contributions::{Unneeded, unneeded};
 pub use cover::{Ask, Population, WINDOWS, window};
 pub use data::Data;
 pub use emitted::Emitted;

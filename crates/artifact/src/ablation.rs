@@ -12,8 +12,10 @@ pub struct AblationRow {
     pub scene: String,
     /// `nothing`; `without` a contribution, as in `without halo`; or another setting, as in `radiosity passes 0`.
     pub change: String,
-    /// Noise-corrected rms error.
+    /// Noise-corrected rms error; 0 where it is less than the noise.
     pub error: f64,
+    /// Rms of the truth's standard errors: an error or rise far below it is not known.
+    pub noise: f64,
     /// `error` less that of the row `nothing`; below 0 where the change helps.
     pub rise: f64,
     /// Rms difference from the picture of the row `nothing`: no rise, of this or of several changes together, exceeds their sum.

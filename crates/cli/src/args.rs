@@ -4,12 +4,15 @@ mod advise;
 mod atlas;
 mod chart;
 mod check;
+mod compare;
 mod errors;
 mod export;
 mod nearest;
 mod phase_check;
 mod render;
 mod shell;
+mod truth;
+mod view;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -20,12 +23,15 @@ pub use advise::AdviseArgs;
 pub use atlas::AtlasArgs;
 pub use chart::ChartArgs;
 pub use check::CheckArgs;
+pub use compare::{CompareArgs, ComparedModels};
 pub use errors::ErrorsArgs;
 pub use export::{ExportArgs, Format};
 pub use nearest::NearestArgs;
 pub use phase_check::{Convention, PhaseCheckArgs};
 pub use render::{RadianceModel, RenderArgs, SlabDepth, SlabNormals};
 pub use shell::{CompletionsArgs, ManArgs};
+pub use truth::TruthArgs;
+pub use view::WindowArgs;
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -87,6 +93,12 @@ pub enum Command {
     Atlas(AtlasArgs),
     /// Draw a scene's clouds over its ground; needs the cargo feature `gpu`.
     Render(RenderArgs),
+    /// Trace a scene's picture path by path, with an error for every pixel.
+    Truth(TruthArgs),
+    /// Hold a scene's picture against its path-traced truth; needs the cargo feature `gpu`.
+    Compare(CompareArgs),
+    /// Open a window on a scene, with camera, sun and time under keys and mouse; needs the cargo feature `view`.
+    View(WindowArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

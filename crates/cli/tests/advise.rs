@@ -9,7 +9,7 @@ use std::fs;
 use std::path::Path;
 use stratiform_advise::Advice;
 use stratiform_cli::config::Config;
-use stratiform_scene::NAMES;
+use stratiform_scene::{NAMES, PICTURES};
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
@@ -19,7 +19,7 @@ fn text(bytes: &[u8]) -> String {
 #[test]
 fn every_scene_has_an_answer_and_a_config() {
     let dir = tempfile::tempdir().unwrap();
-    for name in NAMES {
+    for name in NAMES.iter().chain(PICTURES) {
         let args = ["advise", name, "--max-ns", "1e9", "--emit", "advised.toml"];
         let output = run(dir.path(), &args);
         assert_eq!(output.status.code(), Some(0), "{name}: {}", text(&output.stderr));

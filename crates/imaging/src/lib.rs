@@ -13,6 +13,7 @@ mod error;
 mod file;
 mod grey;
 mod image;
+pub mod profile;
 pub mod srgb;
 mod tone;
 

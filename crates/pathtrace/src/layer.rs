@@ -110,8 +110,7 @@ impl Layer {
         if !(low >= 0.0 && high <= self.all[1]) {
             return false;
         }
-        let cell =
-            |x: f64| (libm::floor(x * self.texels_per_m - 0.5) as i64).rem_euclid(self.side as i64) as usize;
+        let cell = |x: f64| wrap(floor(x * self.texels_per_m - 0.5), self.side);
         high <= f64::from(self.clear[cell(point.y) * self.side + cell(point.x)])
     }
 
@@ -148,8 +147,7 @@ impl Layer {
         loop {
             let [x, y] = blocks.cell;
             let (start, end) = (blocks.start, blocks.end().min(to));
-            let wrap = |k: i64| k.rem_euclid(self.blocks as i64) as usize;
-            let bounds = self.bounds[wrap(y) * self.blocks + wrap(x)];
+            let bounds = self.bounds[wrap(y, self.blocks) * self.blocks + wrap(x, self.blocks)];
             let found = match self.tell(ray, start, end, bounds) {
                 Some(true) => run.through(start, end),
                 Some(false) => None,
@@ -213,10 +211,9 @@ impl Layer {
     /// South-west, south-east, north-west, north-east.
     #[inline]
     fn corners(&self, [x, y]: [i64; 2]) -> [f64; 4] {
-        let wrap = |k: i64| k.rem_euclid(self.side as i64) as usize;
+        let (west, row) = (wrap(x, self.side), wrap(y, self.side));
         let next = |k: usize| if k + 1 == self.side { 0 } else { k + 1 };
-        let (west, south) = (wrap(x), wrap(y) * self.side);
-        let (east, north) = (next(west), next(wrap(y)) * self.side);
+        let (east, south, north) = (next(west), row * self.side, next(row) * self.side);
         [
             self.heights[south + west],
             self.heights[south + east],
@@ -254,6 +251,20 @@ impl Run {
         self.inside += length;
         None
     }
+}
+
+/// The place of `k` in a period of `n`.
+#[inline]
+fn wrap(k: i64, n: usize) -> usize {
+    let n = n as i64;
+    (if n & (n - 1) == 0 { k & (n - 1) } else { k.rem_euclid(n) }) as usize
+}
+
+/// The next whole number below, without a call.
+#[inline]
+fn floor(x: f64) -> i64 {
+    let towards_zero = x as i64;
+    towards_zero - i64::from((towards_zero as f64) > x)
 }
 
 /// Least of the heights within `reach` texels of each cell between texels, along both axes in turn.

@@ -17,6 +17,8 @@
 //! (0, 90)°, ω in \[0, 1\]. Errors: [`PathtraceError`]. The same seed gives the same bytes for any number of threads.
 
 mod carrier;
+#[cfg(test)]
+mod energy;
 mod error;
 mod halo;
 mod layer;

@@ -19,11 +19,6 @@ impl Light {
     }
 }
 
-/// Luminance of linear sRGB (IEC 61966-2-1).
-pub(crate) fn luminance([r, g, b]: [f64; 3]) -> f64 {
-    0.2126 * r + 0.7152 * g + 0.0722 * b
-}
-
 /// Mean of three.
 pub(crate) fn mean([a, b, c]: [f64; 3]) -> f64 {
     (a + b + c) * (1.0 / 3.0)

@@ -1,6 +1,7 @@
 //! Sums over the paths of one pixel.
 
-use crate::light::{Light, luminance};
+use crate::light::Light;
+use stratiform_imaging::srgb::luminance;
 use stratiform_stats::Estimate;
 
 /// Σx and Σx² of one number.

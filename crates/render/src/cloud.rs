@@ -15,7 +15,7 @@ const TEXTS: [&str; 6] = [
     include_str!("wgsl/picture.wgsl"),
 ];
 
-/// Bindings of the picture's kernel: phase table, halo, view, heights, albedo, three of the light between ground and cloud, picture.
+/// Bindings of the picture's kernel: phase table, halo, view, heights, ground and sky, three of the light between ground and cloud, picture.
 const BINDINGS: [Access; 9] = [
     Access::Read,
     Access::Read,

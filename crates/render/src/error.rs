@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use stratiform_artifact::ArtifactError;
 use stratiform_gpu::GpuError;
 use stratiform_imaging::ImagingError;
+use stratiform_model::ModelError;
 use stratiform_quantities::DomainError;
 
 /// What the renderer refuses, and what it refuses to call a picture.
@@ -30,9 +31,15 @@ pub enum RenderError {
     /// Light between ground and cloud that cannot be computed.
     #[error(transparent)]
     Radiosity(#[from] RadiosityError),
+    /// Parameters outside their domain.
+    #[error(transparent)]
+    Model(#[from] ModelError),
     /// A picture without pixels.
     #[error(transparent)]
     Image(#[from] ImagingError),
+    /// Radiance parameters of another form than the twin's.
+    #[error("the radiance parameters are of another shape than this program's")]
+    Shape,
     /// A camera where the model knows no radiance.
     #[error("the camera is inside the cloud: {height_m} m above its base, where it is {thickness_m} m thick")]
     InsideCloud {

@@ -20,14 +20,18 @@ mod cloud;
 mod error;
 mod field;
 mod generated;
+mod ground_light;
+mod outside;
 mod phase_table;
 mod pyramid;
 pub mod radiosity;
 mod readback;
 mod renderer;
 mod settings;
+pub mod twin;
 mod view;
 
 pub use error::RenderError;
+pub use ground_light::GroundLight;
 pub use renderer::{PassTime, Renderer};
 pub use settings::{Contributions, Depth, Emissions, Model, Normals, Radiosity, RingRule, Settings};

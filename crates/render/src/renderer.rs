@@ -3,12 +3,13 @@
 use crate::check::check;
 use crate::cloud::Cloud;
 use crate::field::Field;
+use crate::outside::Outside;
 use crate::radiosity::{Exchange, Step};
 use crate::view::View;
-use crate::{Contributions, RenderError, Settings, readback};
-use stratiform_gpu::{Buffer, Gpu, Pass};
+use crate::{Contributions, GroundLight, RenderError, Settings, readback};
+use stratiform_gpu::{Buffer, Gpu, GpuError, Pass};
 use stratiform_imaging::Image;
-use stratiform_world::{Camera, Ground, World};
+use stratiform_world::{Camera, World};
 
 /// How long a pass took.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +30,7 @@ pub struct Renderer {
     field: Field,
     exchange: Exchange,
     view: Buffer,
-    albedo: Buffer,
+    outside: Outside,
     picture: Buffer,
     times: Vec<PassTime>,
 }
@@ -42,7 +43,8 @@ impl Renderer {
     pub fn new(gpu: &Gpu, world: &World, settings: &Settings) -> Result<Self, RenderError> {
         check(world)?;
         let field = Field::new(gpu, &world.field)?;
-        let view = View::new(world, settings, field.levels());
+        let sky = world.sky.table();
+        let view = View::new(world, settings, field.levels(), &sky);
         Ok(Self {
             gpu: gpu.clone(),
             size: size(&world.camera),
@@ -51,7 +53,7 @@ impl Renderer {
             field,
             exchange: Exchange::new(gpu, world, &settings.radiosity)?,
             view: gpu.upload(bytemuck::bytes_of(&view))?,
-            albedo: albedo(gpu, &world.ground)?,
+            outside: Outside::new(gpu, &world.ground, &sky)?,
             picture: picture(gpu, size(&world.camera))?,
             times: Vec::new(),
         })
@@ -68,13 +70,14 @@ impl Renderer {
         }
         self.exchange.update(&self.gpu, world, &settings.radiosity)?;
         self.field.update(&self.gpu, &world.field)?;
-        self.albedo = albedo(&self.gpu, &world.ground)?;
+        let sky = world.sky.table();
+        self.outside.update(&self.gpu, &world.ground, &sky)?;
         if self.size != size(&world.camera) {
             self.picture = picture(&self.gpu, size(&world.camera))?;
             self.size = size(&world.camera);
         }
         self.must_shine = must_shine(world, settings);
-        let view = View::new(world, settings, self.field.levels());
+        let view = View::new(world, settings, self.field.levels(), &sky);
         Ok(self.gpu.replace(&self.view, bytemuck::bytes_of(&view))?)
     }
 
@@ -84,7 +87,10 @@ impl Renderer {
     /// [`RenderError::Gpu`] if the device fails, [`RenderError::NotFinite`] and [`RenderError::Endless`] for a pixel that is none, and
     /// [`RenderError::Black`] if every pixel is 0 although all contributions are drawn and a light shines on a ground that is not black.
     pub fn draw(&mut self) -> Result<Image, RenderError> {
-        self.times = self.run()?;
+        self.times = self.run(|passes| {
+            let times = self.gpu.time_passes(passes)?.unwrap_or_default();
+            Ok(summed(passes.iter().map(|pass| pass.name).zip(times)))
+        })?;
         let [width, height] = self.size;
         let image = readback::image(width, height, &self.gpu.download(&self.picture)?)?;
         if self.must_shine && readback::black(&image) {
@@ -93,12 +99,31 @@ impl Renderer {
         Ok(image)
     }
 
+    /// Draws for the screen: the pixels stay on the device, row by row from the top, four f32 each, the fourth 0 where a ray did not end.
+    /// Neither waits for them nor looks at them.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] if the device fails.
+    pub fn paint(&self) -> Result<&Buffer, RenderError> {
+        self.run(|passes| self.gpu.submit_passes(passes))?;
+        Ok(&self.picture)
+    }
+
     /// The device's time for each pass of the last picture; empty before the first one, and where the adapter has no time stamps.
     pub fn timings(&self) -> Vec<PassTime> {
         self.times.clone()
     }
 
-    fn run(&self) -> Result<Vec<PassTime>, RenderError> {
+    /// The light between ground and cloud of the last picture.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] if the device fails.
+    pub fn ground_light(&self) -> Result<GroundLight, RenderError> {
+        GroundLight::read(&self.gpu, self.exchange.buffers())
+    }
+
+    /// What `submit` makes of the passes of a picture.
+    fn run<T>(&self, submit: impl FnOnce(&[Pass]) -> Result<T, GpuError>) -> Result<T, RenderError> {
         let field = self.field.bindings();
         let steps = self.exchange.steps();
         let light = self.exchange.buffers();
@@ -107,7 +132,7 @@ impl Renderer {
             &self.cloud.halo,
             &self.view,
             self.field.heights(),
-            &self.albedo,
+            self.outside.buffer(),
             &light.ground_direct,
             &light.ground_indirect,
             &light.cloud_from_ground,
@@ -122,8 +147,7 @@ impl Renderer {
         };
         let passes: Vec<Pass> =
             self.field.passes(&field).chain(steps.iter().map(Step::pass)).chain([last]).collect();
-        let times = self.gpu.time_passes(&passes)?.unwrap_or_default();
-        Ok(summed(passes.iter().map(|pass| pass.name).zip(times)))
+        Ok(submit(&passes)?)
     }
 }
 
@@ -148,12 +172,6 @@ fn must_shine(world: &World, settings: &Settings) -> bool {
     let lit = world.sun.irradiance.iter().chain(&world.sky.irradiance()).any(|e| *e > 0.0);
     let ground = world.ground.albedo.values().iter().flatten().any(|albedo| *albedo > 0.0);
     lit && ground && settings.contributions == Contributions::all()
-}
-
-fn albedo(gpu: &Gpu, ground: &Ground) -> Result<Buffer, RenderError> {
-    let texel = |[r, g, b]: &[f64; 3]| [*r as f32, *g as f32, *b as f32, 0.0];
-    let texels: Vec<[f32; 4]> = ground.albedo.values().iter().map(texel).collect();
-    Ok(gpu.upload(bytemuck::cast_slice(&texels))?)
 }
 
 fn picture(gpu: &Gpu, [width, height]: [usize; 2]) -> Result<Buffer, RenderError> {

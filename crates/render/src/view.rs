@@ -6,7 +6,7 @@ use crate::{Depth, Normals, Settings};
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
 use stratiform_model::angular::Emission;
-use stratiform_world::{Sky, World};
+use stratiform_world::{SkyTable, World};
 
 /// Levels that a field may have.
 pub const LEVELS: usize = 16;
@@ -31,10 +31,10 @@ pub struct View {
     pub albedo_extent: f32,
     pub sky_mean: [f32; 3],
     pub side: u32,
-    pub sky_uniform: [f32; 3],
-    pub albedo_side: u32,
     pub kept: [f32; 3],
-    pub exchange_side: u32,
+    pub albedo_side: u32,
+    pub towards_sun: [f32; 2],
+    pub sky_size: [u32; 2],
     pub albedo_at: [f32; 2],
     pub size: [u32; 2],
     pub contributions: u32,
@@ -43,13 +43,14 @@ pub struct View {
     pub depth: u32,
     pub normals: u32,
     pub top_level: u32,
-    pub reserved: [u32; 2],
+    pub exchange_side: u32,
+    pub reserved: u32,
     pub levels: [[u32; 4]; LEVELS],
 }
 
 impl View {
-    /// Of a world that has been checked.
-    pub fn new(world: &World, settings: &Settings, levels: &Levels) -> Self {
+    /// Of a world that has been checked, and the table of its sky.
+    pub fn new(world: &World, settings: &Settings, levels: &Levels, sky: &SkyTable) -> Self {
         let (camera, sun) = (&world.camera, &world.sun);
         let (field, ground) = (world.field.map(), &world.ground.albedo);
         let [x, y] = [camera.position.x, camera.position.y];
@@ -57,11 +58,6 @@ impl View {
         let half = libm::sin(0.5 * sun.angular_radius_deg.to_radians());
         let sine = libm::sin(sun.angular_radius_deg.to_radians());
         let disc = sun.irradiance.map(|e| (e / (std::f64::consts::PI * sine * sine)) as f32);
-        // Until the table of a clear sky is bound, its mean.
-        let sky = match &world.sky {
-            Sky::Uniform(sky) => *sky,
-            Sky::Clear(_) => world.sky.irradiance().map(|e| e / std::f64::consts::PI),
-        };
         Self {
             position: [reduced(x, period), reduced(y, period), camera.position.z as f32],
             pixel: (2.0 * camera.tan_half / camera.height as f64) as f32,
@@ -77,12 +73,12 @@ impl View {
             extent: period as f32,
             disc_radiance: disc,
             albedo_extent: ground.extent_m() as f32,
-            sky_mean: world.sky.irradiance().map(|e| (e / std::f64::consts::PI) as f32),
+            sky_mean: world.sky.mean_radiance().map(|l| l as f32),
             side: field.side() as u32,
-            sky_uniform: sky.map(|l| l as f32),
-            albedo_side: ground.side() as u32,
             kept: kept(&world.material).map(|share| share as f32),
-            exchange_side: settings.radiosity.side,
+            albedo_side: ground.side() as u32,
+            towards_sun: sky.towards_sun.map(|c| c as f32),
+            sky_size: [sky.width as u32, sky.height as u32],
             albedo_at: [reduced(x, ground.extent_m()), reduced(y, ground.extent_m())],
             size: [camera.width as u32, camera.height as u32],
             contributions: settings.contributions.bits(),
@@ -91,7 +87,8 @@ impl View {
             depth: u32::from(settings.depth == Depth::Chord),
             normals: u32::from(settings.normals == Normals::Vertical),
             top_level: levels.top(),
-            reserved: [0; 2],
+            exchange_side: settings.radiosity.side,
+            reserved: 0,
             levels: levels.table(),
         }
     }

@@ -98,6 +98,7 @@ fn write(dir: &Path) {
         scene: "thin-veil".to_owned(),
         change: change.to_owned(),
         error: 0.03 + rise,
+        noise: 0.01,
         rise,
         difference: 0.02,
         flip: 0.05,

@@ -1,7 +1,7 @@
 //! Checks of what only a picture says: camera, clouds, ground, sky.
 
 use crate::fault::{Fault, check_interval, check_optional};
-use crate::{Camera, Clouds, Ground, GroundPattern, Interval, Pattern, Radiosity, Scene, Sun};
+use crate::{Camera, Clouds, Ground, GroundPattern, Interval, Pattern, Radiosity, Scene, Sky, SkyModel, Sun};
 use stratiform_quantities::Range;
 
 /// Positive, up to `max`.
@@ -20,7 +20,7 @@ pub(crate) fn check(scene: &Scene) -> Result<(), Fault> {
     if let Some(ground) = &scene.ground {
         check_ground(ground)?;
     }
-    Range::closed(0.0, 10.0).check("sky.share", scene.sky.share)?;
+    check_sky(&scene.sky)?;
     Range::closed(-30.0, 30.0).check("picture.exposure_ev", scene.picture.exposure_ev)?;
     check_radiosity(&scene.radiosity)?;
     match (&scene.camera, &scene.clouds) {
@@ -54,7 +54,16 @@ fn one_picture(scene: &Scene) -> Result<(), Fault> {
 fn check_sun(sun: &Sun) -> Result<(), Fault> {
     Range::closed(-360.0, 360.0).check("sun.azimuth_deg", sun.azimuth_deg)?;
     up_to(10.0).check("sun.angular_radius_deg", sun.angular_radius_deg)?;
-    each("sun.irradiance", &sun.irradiance, Range::closed(0.0, 100.0))
+    each("sun.irradiance", sun.irradiance.as_ref().map_or(&[], |rgb| &rgb[..]), Range::closed(0.0, 100.0))
+}
+
+fn check_sky(sky: &Sky) -> Result<(), Fault> {
+    check_optional("sky.share", sky.share, Range::closed(0.0, 10.0))?;
+    check_optional("sky.turbidity", sky.turbidity, Range::closed(1.0, 10.0))?;
+    match sky.model {
+        SkyModel::Uniform => idle("sky", "in a uniform sky", &[("turbidity", sky.turbidity.is_some())]),
+        SkyModel::Clear => idle("sky", "in clear air", &[("share", sky.share.is_some())]),
+    }
 }
 
 fn check_camera(camera: &Camera) -> Result<(), Fault> {

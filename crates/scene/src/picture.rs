@@ -6,31 +6,26 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SkyModel {
-    /// The same from everywhere.
+    /// The same from everywhere: the sky of Bouthors, Neyret & Lefebvre 2006.
     #[default]
     Uniform,
+    /// Clear air over the cloud.
+    Clear,
 }
 
 /// `[sky]`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sky {
     /// How its light is spread.
     #[serde(default)]
     pub model: SkyModel,
-    /// Its irradiance of a level plane as a share of the sun's normal to the beam.
-    #[serde(default = "share")]
-    pub share: f64,
-}
-
-fn share() -> f64 {
-    0.25
-}
-
-impl Default for Sky {
-    fn default() -> Self {
-        Self { model: SkyModel::default(), share: share() }
-    }
+    /// Irradiance of a level plane as a share of the sun's normal to the beam, of a uniform sky; a quarter where it is left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub share: Option<f64>,
+    /// Haze of clear air: 1 is none, 2 very clear, 5 hazy; 2 where it is left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub turbidity: Option<f64>,
 }
 
 /// `[picture]`: how radiance becomes a picture.
@@ -42,17 +37,21 @@ pub struct Picture {
     pub exposure_ev: f64,
 }
 
-/// Which weights the three nested squares of the ring integration get.
+/// How light from ground to cloud and back is summed: which weights three nested squares get, or every texel its own.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rings {
     /// Levels 0, 1, 3 with the paper's weights of discs.
     AsPrinted,
     /// Levels 1, 2, 4 with the same weights.
-    #[default]
     WiderSquares,
     /// Levels 0, 1, 3 with the weights of squares.
     SquareWeights,
+    /// Every texel by its form factor.
+    Exact,
+    /// Every texel by the weight of the least error.
+    #[default]
+    LeastSquares,
 }
 
 /// `[radiosity]`: light between ground and cloud.

@@ -15,9 +15,9 @@ pub struct Sun {
     /// Half of its apparent diameter (Allen's Astrophysical Quantities, 4th ed., section 14.1: 959.63″).
     #[serde(default = "angular_radius_deg")]
     pub angular_radius_deg: f64,
-    /// Normal to its beam above the cloud, linear sRGB; all other light is in its units.
-    #[serde(default = "irradiance")]
-    pub irradiance: [f64; 3],
+    /// Normal to its beam above the cloud, linear sRGB; all other light is in its units. Left out: white, or what a clear sky leaves of it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub irradiance: Option<[f64; 3]>,
 }
 
 fn azimuth_deg() -> f64 {
@@ -28,18 +28,14 @@ fn angular_radius_deg() -> f64 {
     0.2666
 }
 
-fn irradiance() -> [f64; 3] {
-    [1.0; 3]
-}
-
 impl Sun {
-    /// In the south, white, at these angles to the normal.
+    /// In the south at these angles to the normal.
     pub fn at(theta_deg: Interval) -> Self {
         Self {
             theta_deg,
             azimuth_deg: azimuth_deg(),
             angular_radius_deg: angular_radius_deg(),
-            irradiance: irradiance(),
+            irradiance: None,
         }
     }
 }

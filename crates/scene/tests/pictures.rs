@@ -57,8 +57,8 @@ fn one_number_stands_for_both_ends_and_defaults_are_the_papers() {
     assert_eq!((scene.sun.theta_deg, scene.sun.angular_radius_deg), (Interval::at(40.0), 0.2666));
     let clouds = scene.clouds.as_ref().unwrap().pattern_keys().unwrap();
     assert_eq!((clouds.pattern, clouds.side, clouds.cover), (Pattern::Stratocumulus, 512, 0.5));
-    assert_eq!((scene.sky.model, scene.sky.share), (SkyModel::Uniform, 0.25));
-    assert_eq!((scene.radiosity.side, scene.radiosity.rings), (16, Rings::WiderSquares));
+    assert_eq!((scene.sky.model, scene.sky.share), (SkyModel::Uniform, None));
+    assert_eq!((scene.radiosity.side, scene.radiosity.rings), (16, Rings::LeastSquares));
     let without = parse(TEXT.split("[ground]").next().unwrap()).unwrap();
     assert_eq!(without.ground_or_default().mean_albedo(), Some(0.2));
 }
@@ -124,6 +124,10 @@ fn numbers_out_of_their_domain_are_refused_with_their_line() {
     );
     for (table, says) in [
         ("[sky]\nshare = nan", "sky.share = NaN"),
+        ("[sky]\nmodel = \"clear\"\nturbidity = 0.5", "sky.turbidity = 0.5 is outside [1, 10]"),
+        ("[sky]\nmodel = \"clear\"\nshare = 0.5", "sky.share means nothing in clear air"),
+        ("[sky]\nturbidity = 3.0", "sky.turbidity means nothing in a uniform sky"),
+        ("[sky]\nmodel = \"clearer\"", "clearer"),
         ("[picture]\nexposure_ev = inf", "picture.exposure_ev = inf"),
         ("[radiosity]\nside = 12", "radiosity.side = 12 is not a power of two"),
         ("[radiosity]\nerror = 0.0", "radiosity.error = 0"),

@@ -1,7 +1,7 @@
 //! A scene and its files made concrete.
 
 use crate::field::height_field;
-use crate::{Camera, Material, Sky, Sun, World, WorldError, ground_map};
+use crate::{Air, Camera, ClearSky, Material, Sky, Sun, World, WorldError, ground_map};
 use glam::DVec3;
 use std::f64::consts::PI;
 use std::path::Path;
@@ -20,11 +20,11 @@ impl World {
         let tables = folder.join(&clouds.tables);
         let material = Material::load(&tables)?;
         agree(scene, &material, &tables)?;
-        let sun = sun(&scene.sun)?;
+        let (sun, sky) = lights(scene, clouds)?;
         let world = Self {
             camera: Camera::of(said_camera),
             sun,
-            sky: sky(&scene.sky),
+            sky,
             ground: ground_map::ground(&scene.ground_or_default(), clouds.extent_m, folder)?,
             base_m: clouds.base_m,
             field: height_field(clouds, folder, moment_s)?,
@@ -46,6 +46,16 @@ impl World {
             self.field = before;
         }
         outside
+    }
+
+    /// Moves the sun to where the scene has it now; the sky goes with it.
+    ///
+    /// # Errors
+    /// Those of [`build`](Self::build) that concern sun and sky; then nothing has changed.
+    pub fn shine(&mut self, scene: &Scene) -> Result<(), WorldError> {
+        let (_, clouds) = picture(scene)?;
+        (self.sun, self.sky) = lights(scene, clouds)?;
+        Ok(())
     }
 
     /// Refuses a camera that is inside the cloud, below the ground, or out of this world.
@@ -93,6 +103,16 @@ impl Camera {
     }
 }
 
+/// Sun and sky above the clouds; without an irradiance of its own the sun has the colour that clear air leaves it.
+fn lights(scene: &Scene, clouds: &said::Clouds) -> Result<(Sun, Sky), WorldError> {
+    let mut sun = sun(&scene.sun)?;
+    let sky = sky(scene, &sun, clouds)?;
+    if let (Sky::Clear(clear), None) = (&sky, scene.sun.irradiance) {
+        sun.irradiance = clear.sun_irradiance();
+    }
+    Ok((sun, sky))
+}
+
 fn sun(sun: &said::Sun) -> Result<Sun, WorldError> {
     let theta_deg = sun.theta_deg.single().ok_or_else(|| {
         let said::Interval { min, max } = sun.theta_deg;
@@ -100,15 +120,28 @@ fn sun(sun: &said::Sun) -> Result<Sun, WorldError> {
     })?;
     Ok(Sun {
         direction: DVec3::from_array(direction(sun.azimuth_deg, 90.0 - theta_deg)),
-        irradiance: sun.irradiance,
+        irradiance: sun.irradiance.unwrap_or([1.0; 3]),
         angular_radius_deg: sun.angular_radius_deg,
     })
 }
 
-fn sky(sky: &said::Sky) -> Sky {
-    match sky.model {
-        SkyModel::Uniform => Sky::Uniform([sky.share / PI; 3]),
+/// Share of the sun's light that a uniform sky has where nobody says: that of Bouthors, Neyret & Lefebvre 2006.
+const SHARE: f64 = 0.25;
+
+/// The sky above the base of the clouds.
+fn sky(scene: &Scene, sun: &Sun, clouds: &said::Clouds) -> Result<Sky, WorldError> {
+    let said = &scene.sky;
+    if said.model == SkyModel::Uniform {
+        return Ok(Sky::Uniform([said.share.unwrap_or(SHARE) / PI; 3]));
     }
+    let usual = Air::default();
+    let air = Air {
+        turbidity: said.turbidity.unwrap_or(usual.turbidity),
+        ground_albedo: scene.ground_or_default().mean_albedo().unwrap_or(usual.ground_albedo),
+        altitude_m: clouds.base_m,
+        ..usual
+    };
+    Ok(Sky::Clear(ClearSky::new(sun.direction, &air)?))
 }
 
 /// How far the record of a folder may be from the scene, relative: digits that people write.

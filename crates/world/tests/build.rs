@@ -46,14 +46,28 @@ fn the_default_is_the_papers() {
     assert_eq!(world.ground.albedo.value(1.0, 2.0), [0.2; 3]);
     assert_eq!(world.sky, Sky::Uniform([0.25 / PI; 3]));
     assert!((world.material.extinction_per_m - 300e-6 * PI * 49.0).abs() < 1e-15);
-    assert!((world.sun.direction.z - libm::cos(55.0 * PI / 180.0)).abs() < 1e-15);
+    assert!((world.sun.direction.z - libm::cos(65.0 * PI / 180.0)).abs() < 1e-15);
+}
+
+#[test]
+fn a_clear_sky_colours_the_sun_unless_the_scene_does() {
+    let whole = text("stratocumulus");
+    let clear = whole.replacen("model = \"uniform\"\nshare = 0.25", "model = \"clear\"\nturbidity = 3.0", 1);
+    let world = built(&clear).unwrap();
+    let Sky::Clear(sky) = &world.sky else { panic!("not clear") };
+    assert_eq!((sky.air().turbidity, sky.air().altitude_m, sky.air().ground_albedo), (3.0, 2000.0, 0.2));
+    assert!(
+        world.sun.irradiance == sky.sun_irradiance() && world.sun.irradiance[0] > world.sun.irradiance[2]
+    );
+    let white = clear.replacen("[sun]", "[sun]\nirradiance = [1, 1, 1]", 1);
+    assert_eq!(built(&white).unwrap().sun.irradiance, [1.0; 3]);
 }
 
 #[test]
 fn a_camera_in_the_cloud_is_refused_and_one_between_bumps_is_not() {
     let at = |x: f64, y: f64, z: f64| {
         let position = format!("position_m = [{x:?}, {y:?}, {z:?}]");
-        built(&text("stratocumulus").replacen("position_m = [0.0, 0.0, 3600.0]", &position, 1))
+        built(&text("stratocumulus").replacen("position_m = [0.0, 0.0, 4000.0]", &position, 1))
     };
     let field = built(&text("stratocumulus")).unwrap().field;
     let places: Vec<_> = (0..160).map(|i| (100.0 * f64::from(i), 50.0)).collect();

@@ -75,7 +75,7 @@ fn a_pattern_has_no_seam_and_no_step_at_the_texels() {
         let step = |a: usize, b: usize| (h[a] - h[b]).abs();
         let across = |x: usize| (0..n).map(|y| step(y * n + x, y * n + (x + 1) % n)).fold(0.0, f64::max);
         let inside = (0..n - 1).map(across).fold(0.0, f64::max);
-        assert!(inside < 120.0 && across(n - 1) <= inside, "{pattern}: {inside}");
+        assert!(inside < 150.0 && across(n - 1) <= inside, "{pattern}: {inside}");
     }
 }
 

@@ -107,6 +107,8 @@ fn parts_of_different_configs_are_refused() {
     assert!(refusal(&dir).contains("parameters.json says 0.46471"), "{}", refusal(&dir));
 }
 
+type Damage<'a> = &'a dyn Fn(&str) -> String;
+
 #[test]
 fn damage_is_told_with_file_and_line() {
     let line = |text: &str, number: usize, new: &str| {
@@ -115,7 +117,7 @@ fn damage_is_told_with_file_and_line() {
         lines.join("\n")
     };
     let cut = |text: &str| text[..text.len() / 2].to_owned();
-    let damages: [(&str, &dyn Fn(&str) -> String, &str); 7] = [
+    let damages: [(&str, Damage, &str); 7] = [
         ("accepted/phase_full.csv", &|text| line(text, 9, "0.2407,NaN"), "phase_full.csv:9: "),
         ("accepted/phase_full.csv", &cut, "phase_full.csv:"),
         (

@@ -81,7 +81,10 @@ pub struct RenderArgs {
 }
 
 /// `WIDTHxHEIGHT`, each from 1 to 65536.
-fn size(text: &str) -> Result<[usize; 2], String> {
+///
+/// # Errors
+/// A message naming the text and the range.
+pub fn size(text: &str) -> Result<[usize; 2], String> {
     let side = |text: &str| text.parse().ok().filter(|side| (1..=65_536).contains(side));
     let sides = text.split_once('x').and_then(|(width, height)| Some([side(width)?, side(height)?]));
     sides.ok_or_else(|| format!("`{text}` is not WIDTHxHEIGHT, each in [1, 65536]"))

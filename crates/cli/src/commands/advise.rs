@@ -6,8 +6,8 @@ use crate::CliError;
 use crate::args::AdviseArgs;
 use crate::output::{Data as Text, Talk};
 use crate::pipeline::{input_error, optics};
-use stratiform_advise::{Advice, AdviseError, Budget, Data, advise};
-use stratiform_artifact::{to_json, write_atomic};
+use stratiform_advise::{Advice, AdviseError, Budget, Data, advise, unneeded};
+use stratiform_artifact::{read_csv, to_json, write_atomic};
 use stratiform_optics::OpticsConfig;
 use stratiform_optics::droplets::DropletDistribution;
 use stratiform_quantities::ExtinctionConvention;
@@ -20,10 +20,11 @@ use stratiform_scene::{Interval, Scene, find};
 pub fn run(args: &AdviseArgs, talk: Talk) -> Result<Text, CliError> {
     let max_error = args.max_error.as_deref().map(Budget::share).transpose().map_err(refused)?;
     let budget = Budget::new(max_error, args.max_ns).map_err(refused)?;
-    let (_, scene) = find(&args.scene).map_err(input_error)?;
+    let (name, scene) = find(&args.scene).map_err(input_error)?;
     let data = args.data.as_deref().map_or_else(Data::committed, Data::load).map_err(refused)?;
     let tau = thickness(&scene)?;
-    let advice = advise(&data, &scene, tau, &budget, args.ground_albedo).map_err(refused)?;
+    let mut advice = advise(&data, &scene, tau, &budget, args.ground_albedo).map_err(refused)?;
+    advice.notes.extend(contributions(args, &name, &budget)?);
     let text = if args.json { to_json(&advice)? } else { advice.to_string() };
     if !advice.met {
         return Err(CliError::Unmet { message: nearest(&advice), data: text });
@@ -33,6 +34,15 @@ pub fn run(args: &AdviseArgs, talk: Talk) -> Result<Text, CliError> {
         talk.say(format!("{}: run `stratiform reproduce` on it", path.display()));
     }
     Ok(text)
+}
+
+/// Which parts the scene's picture does not need, where a table knows.
+fn contributions(args: &AdviseArgs, scene: &str, budget: &Budget) -> Result<Option<String>, CliError> {
+    let (Some(path), Some(max_error)) = (&args.ablation, budget.max_error) else { return Ok(None) };
+    let table = read_csv(path)?;
+    let found = unneeded(&table, scene, max_error);
+    let unknown = || CliError::Input(format!("{}: no rows of the scene `{scene}`", path.display()));
+    Ok(Some(found.ok_or_else(unknown)?.to_string()))
 }
 
 fn refused(error: AdviseError) -> CliError {

@@ -28,7 +28,7 @@ pub fn ablation(
     for (change, settings) in changes(&subject.settings) {
         watch(&change);
         let picture = draw.picture(&settings)?;
-        let (error, difference, flip) = measured(subject, truth, &picture, &whole)?;
+        let Measured { error, noise, difference, flip } = measured(subject, truth, &picture, &whole)?;
         let times = draw.times(&settings, FRAMES)?;
         let ms = (!times.is_empty()).then(|| times.iter().map(|(_, ms)| ms).sum());
         let first = rows.first();
@@ -37,6 +37,7 @@ pub fn ablation(
             scene: subject.name.to_owned(),
             change,
             error,
+            noise,
             rise: error - before.0,
             difference,
             flip,
@@ -49,13 +50,20 @@ pub fn ablation(
     Ok(rows)
 }
 
-/// Noise-corrected rms error and rms difference from the unchanged picture, over the truth's mean; mean of FLIP.
+/// Noise-corrected rms error, the truth's noise and the rms difference from the unchanged picture, all over the truth's mean; mean of FLIP.
+struct Measured {
+    error: f64,
+    noise: f64,
+    difference: f64,
+    flip: f64,
+}
+
 fn measured(
     subject: &Subject<'_>,
     truth: &Truth,
     picture: &Image,
     whole: &Image,
-) -> Result<(f64, f64, f64), CliError> {
+) -> Result<Measured, CliError> {
     let sampled = Sampled { mean: &truth.mean, std_error: &truth.std_error };
     let found = errors(picture, &sampled, Band::Luminance, FLOOR_SHARE).map_err(input_error)?;
     let exact = truth.mean.map(|_| [0.0; 3]);
@@ -63,7 +71,12 @@ fn measured(
     let from_whole = errors(picture, &other, Band::Luminance, FLOOR_SHARE).map_err(input_error)?;
     let seen = flip(picture, &truth.mean, &subject.tone, PIXELS_PER_DEGREE).map_err(input_error)?;
     let over = |value: f64| if found.mean_truth > 0.0 { value / found.mean_truth } else { 0.0 };
-    Ok((over(found.excess_rms), over(from_whole.rms), seen.mean()))
+    Ok(Measured {
+        error: over(found.excess_rms),
+        noise: over(found.noise),
+        difference: over(from_whole.rms),
+        flip: seen.mean(),
+    })
 }
 
 /// Nothing, then one thing at a time.

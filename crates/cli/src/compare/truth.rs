@@ -3,6 +3,7 @@
 use crate::CliError;
 use crate::pipeline::input_error;
 use std::path::Path;
+use stratiform_artifact::read_json;
 use stratiform_imaging::{Image, Layers, read_exr, write_exr};
 use stratiform_pathtrace as pathtrace;
 use stratiform_world::Contribution;
@@ -20,7 +21,7 @@ pub struct Truth {
 
 /// The layer of a standard error.
 fn error_layer(part: &str) -> String {
-    format!("{part}.std_error")
+    format!("{part}_std_error")
 }
 
 impl Truth {
@@ -40,12 +41,13 @@ impl Truth {
         Self { mean, std_error, parts, words: words.to_owned() }
     }
 
-    /// Reads an EXR with the layers `std_error`, and of each contribution its name and `NAME.std_error`.
+    /// Reads an EXR with the layers `std_error`, and of each contribution its name and `NAME_std_error`, as `stratiform truth` writes it.
     ///
     /// # Errors
-    /// [`CliError::Input`] if it cannot be read or lacks a layer.
+    /// [`CliError::Input`] if it cannot be read, lacks a layer, or is a crop by the `truth.json` beside it.
     pub fn read(path: &Path) -> Result<Self, CliError> {
         let layers = read_exr(path).map_err(input_error)?;
+        whole(path, [layers.image.width(), layers.image.height()])?;
         let parts = Contribution::ALL.into_iter().map(|part| {
             let name = part.name();
             Ok((part, layer(path, &layers, name)?, layer(path, &layers, &error_layer(name))?))
@@ -84,6 +86,31 @@ impl Truth {
     }
 }
 
+/// What `truth.json` says of the whole picture.
+#[derive(serde::Deserialize)]
+struct Whole {
+    width: usize,
+    height: usize,
+}
+
+/// Refuses a crop, whose pixels would be taken for those of a whole picture.
+fn whole(path: &Path, size: [usize; 2]) -> Result<(), CliError> {
+    let beside = path.with_file_name("truth.json");
+    if !beside.exists() {
+        return Ok(());
+    }
+    let Whole { width, height } = read_json(&beside)?;
+    if [width, height] == size {
+        return Ok(());
+    }
+    Err(CliError::Input(format!(
+        "{}: {} x {} pixels of a picture of {width} x {height}: a crop cannot be compared",
+        path.display(),
+        size[0],
+        size[1]
+    )))
+}
+
 fn layer(path: &Path, layers: &Layers, name: &str) -> Result<Image, CliError> {
     let missing = || {
         let there: Vec<_> = layers.further.iter().map(|(name, _)| name.as_str()).collect();
@@ -95,6 +122,7 @@ fn layer(path: &Path, layers: &Layers, name: &str) -> Result<Image, CliError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn what_is_written_is_read_and_what_lacks_is_named() {
@@ -112,6 +140,9 @@ mod tests {
         let read = Truth::read(&path).unwrap();
         assert_eq!((&read.mean, &read.std_error, &read.parts), (&truth.mean, &truth.std_error, &truth.parts));
         assert!(read.words.ends_with("7 paths"), "{}", read.words);
+        fs::write(dir.path().join("truth.json"), "{\"width\": 30, \"height\": 2, \"seed\": 1}").unwrap();
+        assert!(Truth::read(&path).err().unwrap().to_string().contains("a crop"));
+        fs::remove_file(dir.path().join("truth.json")).unwrap();
         write_exr(&path, &image(1.0), &[("halo", &image(1.0))], "").unwrap();
         let error = Truth::read(&path).err().unwrap().to_string();
         assert!(error.contains("no layer") && error.contains("halo"), "{error}");

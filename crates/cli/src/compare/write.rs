@@ -80,25 +80,38 @@ impl Sheet<'_> {
         let truth = Sampled { mean, std_error };
         let difference = signed(picture, &truth, Band::Luminance).map_err(input_error)?;
         let label = "luminance, picture - truth, in units of the sun's irradiance / sr";
-        let mut maps =
-            vec![self.map("difference", "Signed difference", label, &difference, Colours::Diverging)?];
+        let mut maps = vec![self.map(
+            "difference",
+            ("Signed difference", label),
+            &difference,
+            Scale::covering(Colours::Diverging, &difference),
+        )?];
         if !self.one.part.is_all() {
             return Ok(maps);
         }
         let share = relative(picture, &truth, Band::Luminance, FLOOR_SHARE).map_err(input_error)?;
         let label = "|picture - truth| / truth, luminance";
-        maps.push(self.map("relative", "Relative error", label, &share, Colours::Sequential)?);
+        maps.push(self.map(
+            "relative",
+            ("Relative error", label),
+            &share,
+            Scale { colours: Colours::Sequential, most: 1.0 },
+        )?);
         let z = significance(picture, &truth, Band::Luminance, 3.0).map_err(input_error)?.map;
         let label = "(picture - truth) / standard error of the truth";
-        maps.push(self.map("z", "Difference over noise", label, &z, Colours::Diverging)?);
+        maps.push(self.map(
+            "z",
+            ("Difference over noise", label),
+            &z,
+            Scale { colours: Colours::Diverging, most: 5.0 },
+        )?);
         let seen = flip(picture, mean, &subject.tone, PIXELS_PER_DEGREE).map_err(input_error)?;
         let title = format!("FLIP, mean {:.4}", seen.mean());
         maps.push(self.map(
             "flip",
-            &title,
-            "FLIP: 0 not seen, 1 black for white",
+            (&title, "FLIP: 0 not seen, 1 black for white"),
             &seen,
-            Colours::Sequential,
+            Scale::covering(Colours::Sequential, &seen),
         )?);
         Ok(maps)
     }
@@ -106,14 +119,13 @@ impl Sheet<'_> {
     fn map(
         &self,
         kind: &str,
-        title: &str,
-        label: &str,
+        (title, label): (&str, &str),
         values: &Grey,
-        colours: Colours,
+        scale: Scale,
     ) -> Result<ComparisonPicture, CliError> {
         let entry = self.entry(kind);
         let title = format!("{title}, {} model", entry.model);
-        let map = ErrorMap { title: &title, label, values, scale: Scale::covering(colours, values) };
+        let map = ErrorMap { title: &title, label, values, scale };
         self.write(&entry, &map.to_svg().map_err(input_error)?)?;
         map.write_png(&self.png(&entry)).map_err(input_error)?;
         Ok(entry)

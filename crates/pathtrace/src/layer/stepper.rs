@@ -23,11 +23,10 @@ impl Stepper {
         };
         for (axis, way) in line.into_iter().enumerate() {
             let [origin, speed] = way.map(|x| x * scale);
-            let cell = libm::floor(origin + speed * from);
-            stepper.cell[axis] = cell as i64;
+            stepper.cell[axis] = super::floor(origin + speed * from);
             if speed != 0.0 {
                 let slowness = 1.0 / speed;
-                let edge = if speed > 0.0 { cell + 1.0 } else { cell };
+                let edge = (stepper.cell[axis] + i64::from(speed > 0.0)) as f64;
                 stepper.next[axis] = ((edge - origin) * slowness).max(from);
                 stepper.each[axis] = slowness.abs();
                 stepper.way[axis] = if speed > 0.0 { 1 } else { -1 };

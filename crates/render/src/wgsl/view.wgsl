@@ -18,11 +18,13 @@ struct View {
     // Radiance of uniform light with the sky's irradiance.
     sky_mean: vec3<f32>,
     side: u32,
-    sky_uniform: vec3<f32>,
-    albedo_side: u32,
     // 1 - P_f of each channel.
     kept: vec3<f32>,
-    exchange_side: u32,
+    albedo_side: u32,
+    // Unit vector of the sun's azimuth.
+    towards_sun: vec2<f32>,
+    // Texels of the sky's table: columns and rows.
+    sky_size: vec2<u32>,
     albedo_at: vec2<f32>,
     size: vec2<u32>,
     contributions: u32,
@@ -31,7 +33,8 @@ struct View {
     depth: u32,
     normals: u32,
     top_level: u32,
-    reserved: vec2<u32>,
+    exchange_side: u32,
+    reserved: u32,
     // Of each level of the pyramid: where it starts, and its texels a side.
     levels: array<vec4<u32>, 16>,
 }

@@ -95,6 +95,11 @@ pub fn above(size: [usize; 2]) -> Camera {
     camera(2500.0, -25.0, size)
 }
 
+/// In the clear air of a gap between the hills, 250 m above the base, looking along the layer.
+pub fn between(size: [usize; 2]) -> Camera {
+    Camera { position: DVec3::new(343.75, 3343.75, BASE + 250.0), ..camera(BASE, 3.0, size) }
+}
+
 pub fn world(field: HeightField, camera: Camera, tilt: f64) -> World {
     World {
         camera,

@@ -41,17 +41,17 @@ pub fn ablation(rows: &[AblationRow]) -> Markup {
         div class="wide" { table {
             caption { "Errors of luminance in % of the truth's mean, noise taken off; times of the device's clock." }
             thead { tr {
-                th { "scene" } th class="words" { "change" } th { "error" } th { "rise" } th { "difference" } th { "FLIP" } th { "ms" }
+                th { "scene" } th class="words" { "change" } th { "error" } th { "noise" } th { "rise" } th { "difference" } th { "FLIP" } th { "ms" }
                 th { "ms saved" }
             } }
             tbody { @for row in rows { tr {
-                td { (row.scene) } td class="words" { (row.change) } td { (percent(row.error)) } td { (percent(row.rise)) }
+                td { (row.scene) } td class="words" { (row.change) } td { (percent(row.error)) } td { (percent(row.noise)) } td { (percent(row.rise)) }
                 td { (percent(row.difference)) } td { (format!("{:.4}", row.flip)) } td { (time(row.ms)) } td { (time(row.ms_saved)) }
             } } }
         } }
         p {
             "Rise: the error less that of the unchanged picture, below 0 where the change helps. Difference: from the unchanged picture; \
-             several changes together raise the error by no more than the sum of theirs."
+             several changes together raise the error by no more than the sum of theirs. Noise: that of the truth; errors far below it are not known."
         }
     }
 }

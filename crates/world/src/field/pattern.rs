@@ -15,6 +15,8 @@ use stratiform_scene::{Clouds, Pattern, PatternKeys};
 const LATTICE: usize = 192;
 /// Share of the plane that is as thick as the layer gets.
 const TOPS: f64 = 0.005;
+/// Buds across a cell.
+const BUDS: usize = 3;
 
 /// The field of `clouds` at a moment.
 pub fn field(clouds: &Clouds, keys: &PatternKeys, moment_s: f64) -> Result<HeightField, WorldError> {
@@ -53,7 +55,7 @@ fn limits(shape: &Shape, cover: f64) -> [f64; 2] {
 
 /// A pattern at one moment, in still air.
 enum Shape {
-    Stratocumulus { cells: Cells, bend: [Octaves; 2], rough: Octaves, bend_by: f64 },
+    Stratocumulus { cells: Cells, buds: Cells, bend: [Octaves; 2], rough: Octaves, bend_by: f64 },
     Ripples { waves: [f64; 2], bend: Octaves, rough: Octaves },
 }
 
@@ -72,18 +74,19 @@ impl Shape {
             },
             _ => Self::Stratocumulus {
                 cells: Cells::new(many, seed(keys.seed, 0), turn),
+                buds: Cells::new(BUDS * many, seed(keys.seed, 4), turn),
                 bend: [octaves(many, 2, 1), octaves(many, 2, 2)],
                 rough: octaves((many / 2).max(1), keys.octaves, 3),
-                bend_by: 0.25 / many as f64,
+                bend_by: 0.3 / many as f64,
             },
         }
     }
 
     fn value(&self, u: f64, v: f64) -> f64 {
         match self {
-            Self::Stratocumulus { cells, bend: [east, north], rough, bend_by } => {
+            Self::Stratocumulus { cells, buds, bend: [east, north], rough, bend_by } => {
                 let (du, dv) = (bend_by * east.value(u, v), bend_by * north.value(u, v));
-                0.5 * rough.value(u, v) - cells.value(u + du, v + dv)
+                0.5 * rough.value(u, v) - cells.value(u + du, v + dv) - 0.3 * buds.value(u + du, v + dv)
             }
             Self::Ripples { waves, bend, rough } => {
                 let phase = waves[0] * u + waves[1] * v + 0.8 * bend.value(u, v);

@@ -70,6 +70,11 @@ pub(super) struct Columns {
 }
 
 impl Air {
+    /// Optical thickness of the molecules from sea level to space.
+    pub fn molecules_thickness(wavelength_um: f64) -> f64 {
+        molecules(wavelength_um)
+    }
+
     /// Of aerosol's extinction what counts where light that it scatters is taken as unscattered with probability g: 1 - ωg.
     pub(super) fn similar_share(&self) -> f64 {
         1.0 - self.aerosol_albedo * self.aerosol_asymmetry

@@ -1,4 +1,19 @@
 //! A clear sky.
+//!
+//! Order 1 round the earth, further orders of scalar Rayleigh scattering exactly in plane layers, nine wavelengths, D65 as the sun
+//! above the air. Units: the sun's irradiance normal to its beam has luminance 1 where the sky is seen from.
+//!
+//! **How good** (`cargo bench -p stratiform-world --bench sky`; relative to the sky's mean). Against the deterministic solver
+//! in air that both know (molecules, flat, black ground), table included: rms 6e-4 to 9e-4 with the sun at 85° to 5° above the horizon,
+//! 1e-3 to 2e-3 at 1° above it. Left out: the earth's roundness in the further orders (all of it matters 2 to 3 % down to suns of 30°,
+//! 5 % at 10°, 29 % at 5°, where order 1 dominates what is left); polarisation, which at τ = 0.5, 1.3 times blue air, changes
+//! single directions by 4 to 10 % (`tests/sky.rs`); refraction. Below 5° take it for a picture, not for a measurement.
+//!
+//! **Why not the model of Hosek & Wilkie (2012)**, crate `hw-skymodel` 0.1.1: fitted to a path tracer, 30 numbers a sky and no table to
+//! build. In pure air its shape, level and white taken out, is off by rms 0.15 (sun at 85°) to 0.25 (5°), and its level
+//! against the sun's drifts by 28 %; with T = 2, its aerosol being another, half of all values differ from ours by more than 27 to 48 %.
+//! And it has no altitude of the viewer, no colour of the sun, no unit shared with it. It needs no table: ours is 48 KiB, built in
+//! 0.2 s (two cores, shared) whenever the sun moves.
 
 use super::air::{Air, WAVELENGTHS_UM};
 use super::sight::Lit;
@@ -15,6 +30,9 @@ const SIZE: [usize; 2] = [64, 64];
 /// Luminance of linear sRGB, IEC 61966-2-1.
 const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
 
+/// Less of the sun is no unit to measure a sky in.
+const LEAST_SUN: Range = Range::closed(1e-4, 1.0);
+
 /// Radiance of a clear sky, per luminance of the sun's irradiance normal to its beam at the place that it is seen from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClearSky {
@@ -29,7 +47,8 @@ impl ClearSky {
     /// With the sun in that direction.
     ///
     /// # Errors
-    /// [`WorldError::Domain`] for a sun that is not above the horizon, or numbers of `air` outside their range.
+    /// [`WorldError::Domain`] for a sun that is not above the horizon or of which the air leaves less than 1e-4, or numbers of `air` outside
+    /// their range.
     pub fn new(sun: DVec3, air: &Air) -> Result<Self, WorldError> {
         air.check()?;
         let sine = Range { max_included: true, ..Range::open(0.0, 1.0) }
@@ -42,7 +61,7 @@ impl ClearSky {
             std::array::from_fn(channel)
         };
         let beam = in_gamut(colour(lit.beam()));
-        let sun_transmittance = luminance(beam);
+        let sun_transmittance = LEAST_SUN.check("transmittance of the air for the sun", luminance(beam))?;
         let table = SkyTable::new(SIZE, towards(sun), |sine, cosine| {
             in_gamut(colour(lit.radiance(sine, cosine))).map(|l| l / sun_transmittance)
         });
@@ -90,12 +109,12 @@ fn luminance(rgb: [f64; 3]) -> f64 {
 /// A colour outside sRGB's gamut, as low suns have, is mixed with grey of its luminance until no channel is negative.
 fn in_gamut(rgb: [f64; 3]) -> [f64; 3] {
     let least = rgb[0].min(rgb[1]).min(rgb[2]);
-    if least >= 0.0 {
-        return rgb;
+    if least < 0.0 {
+        let grey = luminance(rgb);
+        let share = grey / (grey - least);
+        return rgb.map(|c| (grey + share * (c - grey)).max(0.0));
     }
-    let grey = luminance(rgb);
-    let share = grey / (grey - least);
-    rgb.map(|c| (grey + share * (c - grey)).max(0.0))
+    rgb
 }
 
 /// By the midpoint rule over squares of sine and azimuth.

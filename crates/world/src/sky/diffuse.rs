@@ -127,13 +127,14 @@ fn scattered(layers: &[Layer], rule: &[(f64, f64)], from: &Field, albedo: f64) -
     let mut to = Field { layers: vec![[0.0; 4]; LAYERS], ground: 0.0 };
     for (mu, weight) in rule {
         let mut light = [0.0; 3];
-        for k in (0..LAYERS).rev() {
-            pass(&layers[k], from.layers[k], (*mu, *weight), &mut light, &mut to.layers[k]);
+        let rows = || layers.iter().zip(&from.layers);
+        for ((layer, moments), into) in rows().zip(&mut to.layers).rev() {
+            pass(layer, *moments, (*mu, *weight), &mut light, into);
         }
         to.ground += 2.0 * PI * weight * mu * light[0];
         let mut light = [albedo * from.ground / PI, 0.0, 0.0];
-        for k in 0..LAYERS {
-            pass(&layers[k], from.layers[k], (-mu, *weight), &mut light, &mut to.layers[k]);
+        for ((layer, moments), into) in rows().zip(&mut to.layers) {
+            pass(layer, *moments, (-mu, *weight), &mut light, into);
         }
     }
     to

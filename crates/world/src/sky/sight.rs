@@ -72,8 +72,9 @@ impl<'a> Lit<'a> {
         let t = end * share(i + 0.5);
         let gained = 2.0 * radius * t * sine + t * t;
         let there = (radius * radius + gained).sqrt();
-        let view = (radius * sine + t) / there;
-        let sun = (radius * self.sun + t * cos_scattering) / there;
+        // Rounding may lead beyond the zenith.
+        let view = ((radius * sine + t) / there).min(1.0);
+        let sun = ((radius * self.sun + t * cos_scattering) / there).min(1.0);
         let flat = ((1.0 - view * view) * (1.0 - sun * sun)).max(0.0).sqrt();
         let azimuth =
             if flat > 1e-12 { ((cos_scattering - view * sun) / flat).clamp(-1.0, 1.0) } else { 0.0 };
