@@ -6,7 +6,7 @@ Usage: scripts/neyret-terms.py STRATIFORM HEIGHTS OUT [SCENE...]
 STRATIFORM is the command with the feature `gpu`, HEIGHTS the example of that name of stratiform-world. For each scene (a name in
 fit-configs/scenes) OUT gets the truth, pictures at 4 x 4 rays a pixel and the thickness map, unless they are there already;
 OUT/neyret-terms.csv and stdout get a row per scene, term and parameter set. All numbers are of luminance. SAMPLES and MODEL may be
-set in the environment. numpy is needed.
+set in the environment. Pixels within 6 degrees of the sun are left out. numpy is needed.
 
 A term s F is added to the picture, F the mean over a pixel's rays, s by least squares; error changes are of s found in the other half
 of the picture (6 x 6 pixels a square of a chequerboard), their standard errors from 1000 bootstraps over those squares.
@@ -17,6 +17,8 @@ from pathlib import Path
 import numpy as np
 
 SIZE, OVER, BLOCK, FLOOR = (96, 54), 4, 6, 0.01
+# Pixels nearer to the sun hold its disc and the forward peak, next to which nothing else counts.
+AWAY_DEG = 6
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 FIELDS = "scene term parameters pixels noise error change change_se strength strength_se median median_after noise_median".split()
 
@@ -88,7 +90,7 @@ class Geometry:
         self.map = np.fromfile(heights, "<f4").astype(float)
         self.side = int(np.sqrt(self.map.size))
         self.map = self.map.reshape(self.side, self.side)
-        self.step = clouds["extent_m"] / self.side
+        self.step = clouds.get("extent_m", 16000.0) / self.side
         self.cell = clouds.get("cell_m", 1600.0)
         self.sun = direction(scene["sun"]["azimuth_deg"], 90 - scene["sun"]["theta_deg"])
         a, e = camera["azimuth_deg"], camera["elevation_deg"]
@@ -100,7 +102,7 @@ class Geometry:
         d = (d / np.linalg.norm(d, axis=2, keepdims=True)).reshape(-1, 3)
         d[:, 2] = np.where(d[:, 2] >= 0, np.maximum(d[:, 2], 1e-3), np.minimum(d[:, 2], -1e-3))
         self.d, self.shape = d, (h, w)
-        self.march(np.array(camera["position_m"], float), clouds["base_m"])
+        self.march(np.array(camera["position_m"], float), clouds.get("base_m", 2000.0))
 
     def at(self, values, x, y):
         """Bilinear and periodic, texel centres at + 1/2."""
@@ -148,10 +150,11 @@ class Geometry:
 class Held:
     """A picture held against its truth."""
 
-    def __init__(self, name, truth, error, picture):
-        self.name, self.truth, self.error, self.picture = name, truth, error, picture
-        i, j = np.indices(truth.shape) // BLOCK
-        self.block, self.odd = (i * 1000 + j), (i + j) % 2 == 1
+    def __init__(self, name, truth, error, picture, keep):
+        self.name, self.keep = name, keep
+        self.truth, self.error, self.picture = truth[keep], error[keep], picture[keep]
+        i, j = np.indices(truth.shape)[:, keep] // BLOCK
+        self.block, self.odd = i * 1000 + j, (i + j) % 2 == 1
         self.labels = np.unique(self.block)
 
     def excess(self, square):
@@ -164,6 +167,8 @@ class Held:
     def fit(self, term, parameters, features, fixed=0.0, base=None):
         """`features` are added with strengths of their own; the last one's is reported. `base`: those of what it is measured against."""
         D = self.truth - self.picture
+        features, base = [f[self.keep] for f in features], base and [f[self.keep] for f in base]
+        fixed = fixed[self.keep] if np.ndim(fixed) else fixed
         before = self.rest(D, base, 0.0) if base is not None else D
         after = self.rest(D, features, fixed)
         sums = [[np.sum(s[self.block == b]) for b in self.labels] for s in (before**2, after**2, self.error**2, np.ones_like(D))]
@@ -216,7 +221,7 @@ def profile(g, held, share, h):
     """Picture - truth over the truth's mean by local height, to stderr."""
     height, seen = (down((g.top * v).reshape(g.shape)) for v in (h, np.ones_like(h)))
     D = (held.picture - held.truth) / np.mean(held.truth)
-    whole = seen > 0.99
+    whole, height = seen[held.keep] > 0.99, height[held.keep]
     for low in np.arange(0, 1, 0.2):
         pick = whole & (height >= low) & (height < low + 0.2)
         if pick.sum() > 20:
@@ -259,7 +264,8 @@ def main(stratiform, heights, out, *names):
         lit = folder / f"{model}-cloud.exr"
         cloud = luminance(exr(made([*draw, lit, "--without", "background"], lit)))
         g = Geometry(scene, made([heights, scene, folder / "heights.f32"], folder / "heights.f32"))
-        held = Held(name, luminance(truth), luminance(truth, "std_error."), down(whole))
+        away = down((g.d @ g.sun).reshape(g.shape)) < np.cos(np.radians(AWAY_DEG))
+        held = Held(name, luminance(truth), luminance(truth, "std_error."), down(whole), away)
         rows += [*light_traps(g, held, cloud), *coronas(g, held, cloud)]
     with open(Path(out) / "neyret-terms.csv", "w", newline="") as file:
         for sink in (file, sys.stdout):

@@ -105,7 +105,11 @@ mod tests {
     /// e^y - 1 - y to 15 digits at 0.1, 0.3 and 1; both branches where they meet; and ways along the horizon.
     #[test]
     fn several_events_of_short_and_of_endless_ways() {
-        for (y, expected) in [(0.1, 5.170_918_075_647_625e-3), (0.3, 4.985_880_757_600_31e-2), (1.0, std::f64::consts::E - 2.0)] {
+        for (y, expected) in [
+            (0.1, 5.170_918_075_647_625e-3),
+            (0.3, 4.985_880_757_600_31e-2),
+            (1.0, std::f64::consts::E - 2.0),
+        ] {
             let found = beyond_one(y, 2.0) / libm::exp(-2.0);
             assert!((found / expected - 1.0).abs() < 1e-6, "{y}: {found}");
         }
