@@ -28,7 +28,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("world", &["quantities", "artifact", "optics", "tables", "scene", "imaging"]),
     ("pathtrace", &["quantities", "stats", "optics", "imaging", "world"]),
     ("render", &["quantities", "artifact", "model", "optics", "gpu", "imaging", "world"]),
-    ("viewer", &["gpu", "imaging", "world", "render"]),
+    ("viewer", &["gpu", "scene", "world", "render"]),
     ("report", &["quantities", "artifact"]),
     (
         "cli",

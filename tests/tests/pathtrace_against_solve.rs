@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use stratiform_cli::pipeline::reference::Media;
 use stratiform_optics::phase::PhaseTable;
 use stratiform_pathtrace::{Request, Stop, trace};
-use stratiform_quantities::{ExtinctionConvention, Medium, Order, Side};
+use stratiform_quantities::{ExtinctionConvention, Medium, Side};
 use stratiform_stats::{Estimate, family_threshold, z_score};
 use stratiform_tests::{accepted_cloud, paper_config};
 use stratiform_transport::solve::{RadianceOrder, RadianceSolver, View};
@@ -84,36 +84,56 @@ fn factor(world: &World, samples: u64, seed: u64) -> Estimate {
     Estimate { value: scale * value, std_error: scale * variance.sqrt() / n }
 }
 
+/// Views, as the solver asks for them.
+fn asked(views: &[(Side, f64, f64)]) -> Vec<View> {
+    let view = |&(side, theta, phi_deg): &(Side, f64, f64)| View {
+        side,
+        mu: libm::cos(theta.to_radians()),
+        phi_deg,
+    };
+    views.iter().map(view).collect()
+}
+
+/// Share of the light within 20° of the sun that forward events beyond the first may be off: the table of their shape, and the one bend
+/// that stands for their way. Measured with 1e5 paths a view: +7e-4 at 2°, -2e-3 at 4°, -4e-3 at 12°, each to 1e-3.
+const HALO: f64 = 5e-3;
+
+fn allowed(view: (Side, f64, f64), theta_l: f64, solved: Estimate) -> Estimate {
+    let aureole = view.0 == Side::Bottom && view.2 == 0.0 && (view.1 - theta_l).abs() < 20.0;
+    let bend = if aureole { HALO * solved.value } else { 0.0 };
+    Estimate { value: solved.value, std_error: libm::hypot(solved.std_error, bend) }
+}
+
+/// 44 views, and the whole family at a false-alarm rate of 1e-3. The same comparison sees that a layer is 5 % thicker than said.
 #[test]
 fn radiance_of_a_flat_layer_is_the_solvers() {
     let config = paper_config();
     let (_, cloud) = accepted_cloud(&config);
     let media = Media::new(&config, &cloud).unwrap();
     let solver = RadianceSolver::new(media.get(Medium::Full).into(), 1e-3).unwrap();
-    let samples = std::env::var("SAMPLES").map_or(40, |s| s.parse().unwrap());
+    let bound = family_threshold(1e-3, 44).unwrap();
+    let mut planted = 0;
     for theta_l in [30.0_f64, 60.0] {
         let mu0 = libm::cos(theta_l.to_radians());
-        for tau in [2.0, 16.0] {
-            let list = views(theta_l);
-            let asked: Vec<View> = list
-                .iter()
-                .map(|&(side, theta, phi_deg)| View { side, mu: libm::cos(theta.to_radians()), phi_deg })
-                .collect();
-            let solved = solver.radiance_as_reached(RadianceOrder::Total, &[tau], &[mu0], &asked).unwrap();
+        let list = views(theta_l);
+        let taus = [2.0, 16.0];
+        let solved = solver.radiance_as_reached(RadianceOrder::Total, &taus, &[mu0], &asked(&list)).unwrap();
+        for (k, tau) in taus.into_iter().enumerate() {
             for (i, view) in list.iter().enumerate() {
-                let expected = solved.estimate(0, 0, i, RadianceOrder::Total);
-                let found = factor(&world(&cloud.phase, tau, theta_l, *view), samples, 1);
-                println!(
-                    "{theta_l} {tau} {view:?}: {:.5} +- {:.5} solver {:.5} +- {:.5} ratio {:.4} z {:.2}",
-                    found.value,
-                    found.std_error,
-                    expected.value,
-                    expected.std_error,
-                    found.value / expected.value,
-                    z_score(found, expected)
+                let expected = allowed(*view, theta_l, solved.estimate(k, 0, i, RadianceOrder::Total));
+                let found = factor(&world(&cloud.phase, tau, theta_l, *view), 48, 1);
+                let z = z_score(found, expected);
+                assert!(
+                    z.abs() < bound,
+                    "sun {theta_l} tau {tau} {view:?}: {found:?} against {expected:?}, z {z}"
                 );
+                assert!(found.std_error < 0.1 * found.value, "guard against checking nothing: {found:?}");
+                if tau == 2.0 && i > 4 {
+                    let thicker = factor(&world(&cloud.phase, 1.05 * tau, theta_l, *view), 48, 1);
+                    planted += usize::from(z_score(thicker, expected).abs() > bound);
+                }
             }
         }
     }
-    let _ = (family_threshold(1e-3, 44), Order::Total);
+    assert!(planted >= 2, "a planted error was seen in {planted} views");
 }

@@ -27,6 +27,7 @@ fn small(source: Source) -> Config {
     plane.scenes.truncate(1);
     config.transport.tolerance = 1e-4;
     config.optics.wavelengths_um = vec![0.55];
+    config.colour.wavelengths_um = vec![0.45, 0.55, 0.65];
     config.optics.tolerance.asymmetry = 2e-3;
     config.optics.tolerance.forward_fraction = 2e-3;
     config.optics.tolerance.moments = 2e-3;
@@ -110,6 +111,7 @@ fn leaves_every_file_once_and_the_same_bytes_twice(source: Source) -> (Config, t
     let once = all(first.path());
     for name in [
         "accepted/reference.csv",
+        "accepted/phase_colour.csv",
         "agreement.csv",
         "agreement.json",
         "convergence.csv",

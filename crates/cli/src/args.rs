@@ -12,6 +12,7 @@ mod phase_check;
 mod render;
 mod shell;
 mod truth;
+mod view;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -30,6 +31,7 @@ pub use phase_check::{Convention, PhaseCheckArgs};
 pub use render::{RadianceModel, RenderArgs, SlabDepth, SlabNormals};
 pub use shell::{CompletionsArgs, ManArgs};
 pub use truth::TruthArgs;
+pub use view::WindowArgs;
 
 /// From a cloud's droplets to real-time cloud-layer shading whose error is known.
 #[derive(Debug, Parser)]
@@ -95,6 +97,8 @@ pub enum Command {
     Truth(TruthArgs),
     /// Hold a scene's picture against its path-traced truth; needs the cargo feature `gpu`.
     Compare(CompareArgs),
+    /// Open a window on a scene, with camera, sun and time under keys and mouse; needs the cargo feature `view`.
+    View(WindowArgs),
     /// Draw the figures and the page from a folder that `reproduce` wrote.
     Report(ReportArgs),
     /// Completion script of a shell.

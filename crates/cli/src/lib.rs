@@ -49,6 +49,7 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
         Command::Chart(args) => commands::chart::run(args, talk),
         Command::Atlas(args) => commands::atlas::run(args, talk),
         Command::Render(args) => commands::render::run(args, talk),
+        Command::View(args) => commands::view::run(args, talk),
         Command::Truth(args) => commands::truth::run(args, talk),
         Command::Compare(args) => commands::compare::run(args, talk),
         Command::Report(args) => commands::report::run(args, talk),

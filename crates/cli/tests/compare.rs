@@ -7,9 +7,12 @@ mod device;
 #[path = "../../render/tests/worlds/mod.rs"]
 mod worlds;
 
+use clap::Parser;
 use std::fs;
+use std::path::Path;
 use stratiform_artifact::AblationRow;
 use stratiform_cli::compare::{Draw, Part, Subject, Truth, ablation, costs, pictures, rows};
+use stratiform_cli::{Cli, CliError, run};
 use stratiform_imaging::{Image, Tone};
 use stratiform_pathtrace::{Request, Stop, trace};
 use stratiform_render::{Contributions, Model, Settings};
@@ -110,4 +113,37 @@ fn costs_are_of_every_size_and_pass() {
             .collect();
         assert_eq!(sizes, [16, 32]);
     }
+}
+
+/// The command with a scene of the project.
+fn command(out: &Path, more: &[&str]) -> Result<String, CliError> {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fit-configs/scenes/stratocumulus.toml");
+    let out = out.to_str().unwrap();
+    let words = ["stratiform", "--quiet", "compare", scene, "--out", out, "--oversample", "1"];
+    run(&Cli::try_parse_from(words.iter().chain(more)).unwrap())
+}
+
+#[test]
+fn the_command_writes_everything_and_takes_its_own_truth_back() {
+    if device::device().is_none() {
+        return;
+    }
+    let dir = tempfile::tempdir().unwrap();
+    let (a, b) = (dir.path().join("a"), dir.path().join("b"));
+    let printed = command(&a, &["--size", "16x9", "--samples", "2", "--model", "fitted"]).unwrap();
+    assert_eq!(printed, fs::read_to_string(a.join("comparison.csv")).unwrap());
+    for name in ["comparison.html", "comparison.json", "truth.exr", "all-fitted-flip.svg", "all-truth.png"] {
+        assert!(a.join(name).exists(), "{name}");
+    }
+    assert!(!a.join("ablation.csv").exists());
+    let truth = a.join("truth.exr");
+    let read = ["--truth", truth.to_str().unwrap(), "--model", "fitted"];
+    assert_eq!(command(&b, &read).unwrap(), printed, "the truth that was written is the truth");
+    // What does not fit is refused, and nothing is written.
+    let none = dir.path().join("none");
+    let error = command(&none, &[&read[..], &["--size", "32x18"]].concat()).err().unwrap().to_string();
+    assert!(error.contains("32 x 18") && error.contains("16 x 9"), "{error}");
+    fs::write(&truth, "no picture").unwrap();
+    assert!(command(&none, &read).err().unwrap().to_string().contains("truth.exr"));
+    assert!(!none.exists());
 }

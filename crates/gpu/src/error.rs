@@ -49,6 +49,15 @@ pub enum GpuError {
         /// What the driver layer said.
         reason: String,
     },
+    /// No adapter can show pictures in the window.
+    #[error("no Vulkan adapter can show pictures in this window: {reason}")]
+    NoScreen {
+        /// What the driver layer said.
+        reason: String,
+    },
+    /// The window's surface is gone; another one may serve.
+    #[error("the window's surface was lost")]
+    ScreenLost,
     /// The work did not end, or its result could not be read.
     #[error("the device failed: {reason}")]
     Failed {

@@ -1,8 +1,9 @@
 //! Compute on the first graphics adapter: one dispatch, bytes in and bytes out ([`Gpu::run`]), or a sequence of passes over buffers that
 //! stay on the device ([`Gpu::submit_passes`]).
 //!
-//! For tests that hold emitted shaders against the f64 model, for the renderer and for tracers on the device. No window, no
-//! display. Any Vulkan driver serves, software ones included; which one answered is [`Gpu::adapter`].
+//! For tests that hold emitted shaders against the f64 model, for the renderer and for tracers on the device. No window and no
+//! display are needed; where there is a window, a [`Screen`] shows a buffer of pixels in it. Any Vulkan driver serves, software ones
+//! included; which one answered is [`Gpu::adapter`].
 //!
 //! Mesa's software driver stops loops silently after 65535 iterations per invocation, summed over all its loops:
 //! keep dispatches short and count in the shader what was done.
@@ -10,9 +11,11 @@
 mod dispatch;
 mod error;
 mod fault;
+mod screen;
 mod sequence;
 
 pub use error::GpuError;
+pub use screen::Screen;
 pub use sequence::{Access, Buffer, Kernel, Pass};
 
 use fault::Fault;
@@ -34,12 +37,11 @@ impl Gpu {
     /// [`GpuError::NoAdapter`] if there is none, [`GpuError::Device`] if it cannot be opened.
     pub fn new() -> Result<Self, GpuError> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-        let options = wgpu::RequestAdapterOptions {
-            power_preference: wgpu::PowerPreference::HighPerformance,
-            ..Default::default()
-        };
-        let none = |error: wgpu::RequestAdapterError| GpuError::NoAdapter { reason: error.to_string() };
-        let adapter = block_on(instance.request_adapter(&options)).map_err(none)?;
+        let adapter = preferred(&instance, None).map_err(|reason| GpuError::NoAdapter { reason })?;
+        Self::open(&adapter)
+    }
+
+    fn open(adapter: &wgpu::Adapter) -> Result<Self, GpuError> {
         let info = adapter.get_info();
         let closed = |error: wgpu::RequestDeviceError| GpuError::Device { reason: error.to_string() };
         let descriptor = wgpu::DeviceDescriptor {
@@ -64,4 +66,14 @@ impl Gpu {
     pub fn adapter(&self) -> &str {
         &self.adapter
     }
+}
+
+/// The adapter that the system prefers, of those that can show pictures on the surface.
+fn preferred(instance: &wgpu::Instance, surface: Option<&wgpu::Surface>) -> Result<wgpu::Adapter, String> {
+    let options = wgpu::RequestAdapterOptions {
+        power_preference: wgpu::PowerPreference::HighPerformance,
+        compatible_surface: surface,
+        ..Default::default()
+    };
+    block_on(instance.request_adapter(&options)).map_err(|error| error.to_string())
 }

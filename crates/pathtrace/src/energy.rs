@@ -40,28 +40,30 @@ fn white(field: HeightField, colour: [PhaseTable; 3]) -> World {
     world
 }
 
-/// Within 4 standard errors of 0.3 %: one false alarm in 16 000 each.
+/// Within 4 standard errors of at most 1 %: one false alarm in 16 000 each.
 #[test]
 fn all_sunlight_returns() {
     let paper = || [worlds::paper(), worlds::paper(), worlds::paper()];
     let coloured = [0.83, 0.85, 0.87].map(worlds::henyey_greenstein);
-    let flat = HeightField::flat(300.0, 2000.0).unwrap();
+    let flat = HeightField::flat(200.0, 2000.0).unwrap();
     for world in [white(flat, paper()), white(worlds::bumpy(32), paper()), white(worlds::bumpy(32), coloured)]
     {
-        let share = returned(&Scene::new(&world).unwrap(), 200_000);
-        println!("{share:?}");
-        assert!((share.value - 1.0).abs() < 4.0 * share.std_error && share.std_error < 4e-3, "{share:?}");
+        let share = returned(&Scene::new(&world).unwrap(), 40_000);
+        assert!((share.value - 1.0).abs() < 4.0 * share.std_error && share.std_error < 0.012, "{share:?}");
     }
 }
 
-/// 2 % more forward events in the extinction of last legs are 1.7 % more light: seen at 4 standard errors.
+/// Light that is scattered alike in all directions, by less than 80° called forward: 2 % more of that in the extinction of the last leg
+/// are 1.4 % more light, which 4 standard errors see and without which they see nothing.
 #[test]
 fn a_planted_error_of_the_forward_share_is_rejected() {
-    let world =
-        white(HeightField::flat(300.0, 2000.0).unwrap(), [worlds::paper(), worlds::paper(), worlds::paper()]);
+    let isotropic = || worlds::isotropic();
+    let mut world = white(HeightField::flat(100.0, 2000.0).unwrap(), [isotropic(), isotropic(), isotropic()]);
+    world.material.theta_f_deg = 80.0;
     let mut scene = Scene::new(&world).unwrap();
+    let honest = returned(&scene, 300_000);
+    assert!((honest.value - 1.0).abs() < 4.0 * honest.std_error, "{honest:?}");
     scene.forward = scene.forward.map(|forward| 1.02 * forward);
-    let share = returned(&scene, 200_000);
-    println!("{share:?}");
-    assert!(share.value - 1.0 > 4.0 * share.std_error, "{share:?}");
+    let planted = returned(&scene, 300_000);
+    assert!(planted.value - 1.0 > 4.0 * planted.std_error, "{planted:?}");
 }

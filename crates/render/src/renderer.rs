@@ -7,7 +7,7 @@ use crate::outside::Outside;
 use crate::radiosity::{Exchange, Step};
 use crate::view::View;
 use crate::{Contributions, GroundLight, RenderError, Settings, readback};
-use stratiform_gpu::{Buffer, Gpu, Pass};
+use stratiform_gpu::{Buffer, Gpu, GpuError, Pass};
 use stratiform_imaging::Image;
 use stratiform_world::{Camera, World};
 
@@ -87,13 +87,26 @@ impl Renderer {
     /// [`RenderError::Gpu`] if the device fails, [`RenderError::NotFinite`] and [`RenderError::Endless`] for a pixel that is none, and
     /// [`RenderError::Black`] if every pixel is 0 although all contributions are drawn and a light shines on a ground that is not black.
     pub fn draw(&mut self) -> Result<Image, RenderError> {
-        self.times = self.run()?;
+        self.times = self.run(|passes| {
+            let times = self.gpu.time_passes(passes)?.unwrap_or_default();
+            Ok(summed(passes.iter().map(|pass| pass.name).zip(times)))
+        })?;
         let [width, height] = self.size;
         let image = readback::image(width, height, &self.gpu.download(&self.picture)?)?;
         if self.must_shine && readback::black(&image) {
             return Err(RenderError::Black);
         }
         Ok(image)
+    }
+
+    /// Draws for the screen: the pixels stay on the device, row by row from the top, four f32 each, the fourth 0 where a ray did not end.
+    /// Neither waits for them nor looks at them.
+    ///
+    /// # Errors
+    /// [`RenderError::Gpu`] if the device fails.
+    pub fn paint(&self) -> Result<&Buffer, RenderError> {
+        self.run(|passes| self.gpu.submit_passes(passes))?;
+        Ok(&self.picture)
     }
 
     /// The device's time for each pass of the last picture; empty before the first one, and where the adapter has no time stamps.
@@ -109,7 +122,8 @@ impl Renderer {
         GroundLight::read(&self.gpu, self.exchange.buffers())
     }
 
-    fn run(&self) -> Result<Vec<PassTime>, RenderError> {
+    /// What `submit` makes of the passes of a picture.
+    fn run<T>(&self, submit: impl FnOnce(&[Pass]) -> Result<T, GpuError>) -> Result<T, RenderError> {
         let field = self.field.bindings();
         let steps = self.exchange.steps();
         let light = self.exchange.buffers();
@@ -133,8 +147,7 @@ impl Renderer {
         };
         let passes: Vec<Pass> =
             self.field.passes(&field).chain(steps.iter().map(Step::pass)).chain([last]).collect();
-        let times = self.gpu.time_passes(&passes)?.unwrap_or_default();
-        Ok(summed(passes.iter().map(|pass| pass.name).zip(times)))
+        Ok(submit(&passes)?)
     }
 }
 

@@ -86,7 +86,8 @@ impl Contributions {
 pub enum Depth {
     /// The thickness above the base where the line of sight meets the cloud.
     Local,
-    /// l μ_v of the way l that the line of sight goes in the cloud; the cloud is then as transparent as it is.
+    /// l μ_v of the way l that the line of sight goes in the cloud; the cloud is then as transparent as it is. Beyond some thousand cells
+    /// the rest of the way counts as cloudy as the way before.
     Chord,
 }
 

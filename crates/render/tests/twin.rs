@@ -1,6 +1,6 @@
 //! Pixels of the device against the same functions on the CPU, around the crate `model` in f32.
 //!
-//! Bounds are some three times what was measured on Mesa's llvmpipe; a pixel's difference is relative to the brighter of it and the
+//! On Mesa's llvmpipe 99.5 % of the pixels differed by 2.2e-5 at most; a pixel's difference is relative to the brighter of it and the
 //! picture's mean. Where a ray grazes a hill, rounding may decide otherwise whether it is met: few pixels may differ by any amount.
 
 #![allow(
@@ -61,7 +61,7 @@ fn the_device_draws_what_the_cpu_computes() {
             for model in [Model::Fitted, Model::Angular] {
                 let [most, mean] = parity(&gpu, &world, &Settings { model, ..Settings::default() });
                 println!("{field_name} {name} {model:?}: 99.5 % {most:.1e}, mean {mean:.1e}");
-                assert!(most < 1e-3 && mean < 1e-4, "{field_name} {name} {model:?}: {most} {mean}");
+                assert!(most < 1e-4 && mean < 1e-4, "{field_name} {name} {model:?}: {most} {mean}");
             }
         }
     }
@@ -75,7 +75,7 @@ fn chords_and_vertical_normals_too() {
         let settings = Settings { depth: Depth::Chord, normals: Normals::Vertical, ..Settings::default() };
         let [most, mean] = parity(&gpu, &world, &settings);
         println!("{name}: 99.5 % {most:.1e}, mean {mean:.1e}");
-        assert!(most < 1e-3 && mean < 1e-4, "{name}: {most} {mean}");
+        assert!(most < 1e-4 && mean < 1e-4, "{name}: {most} {mean}");
     }
 }
 
@@ -86,7 +86,7 @@ fn a_clear_sky_is_looked_up_alike() {
     world.sky = Sky::Clear(ClearSky::new(world.sun.direction, &Air::default()).unwrap());
     let [most, mean] = parity(&gpu, &world, &Settings::default());
     println!("99.5 % {most:.1e}, mean {mean:.1e}");
-    assert!(most < 1e-3 && mean < 1e-4, "{most} {mean}");
+    assert!(most < 1e-4 && mean < 1e-4, "{most} {mean}");
 }
 
 #[test]

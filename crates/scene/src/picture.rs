@@ -37,17 +37,21 @@ pub struct Picture {
     pub exposure_ev: f64,
 }
 
-/// Which weights the three nested squares of the ring integration get.
+/// How light from ground to cloud and back is summed: which weights three nested squares get, or every texel its own.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rings {
     /// Levels 0, 1, 3 with the paper's weights of discs.
     AsPrinted,
     /// Levels 1, 2, 4 with the same weights.
-    #[default]
     WiderSquares,
     /// Levels 0, 1, 3 with the weights of squares.
     SquareWeights,
+    /// Every texel by its form factor.
+    Exact,
+    /// Every texel by the weight of the least error.
+    #[default]
+    LeastSquares,
 }
 
 /// `[radiosity]`: light between ground and cloud.

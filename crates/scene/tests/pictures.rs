@@ -58,7 +58,7 @@ fn one_number_stands_for_both_ends_and_defaults_are_the_papers() {
     let clouds = scene.clouds.as_ref().unwrap().pattern_keys().unwrap();
     assert_eq!((clouds.pattern, clouds.side, clouds.cover), (Pattern::Stratocumulus, 512, 0.5));
     assert_eq!((scene.sky.model, scene.sky.share), (SkyModel::Uniform, None));
-    assert_eq!((scene.radiosity.side, scene.radiosity.rings), (16, Rings::WiderSquares));
+    assert_eq!((scene.radiosity.side, scene.radiosity.rings), (16, Rings::LeastSquares));
     let without = parse(TEXT.split("[ground]").next().unwrap()).unwrap();
     assert_eq!(without.ground_or_default().mean_albedo(), Some(0.2));
 }

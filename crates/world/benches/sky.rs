@@ -104,10 +104,11 @@ fn mean(radiances: &[[f64; 3]]) -> f64 {
     radiances.iter().flatten().sum::<f64>() / (3 * radiances.len()) as f64
 }
 
-/// At the mean of `like`.
+/// Each channel at the mean of `like`: neither level nor white counts.
 fn scaled(radiances: &[[f64; 3]], like: &[[f64; 3]]) -> Radiances {
-    let factor = mean(like) / mean(radiances);
-    radiances.iter().map(|rgb| rgb.map(|l| l * factor)).collect()
+    let total = |of: &[[f64; 3]], c: usize| of.iter().fold(0.0, |sum, rgb| sum + rgb[c]);
+    let factors: [f64; 3] = std::array::from_fn(|c| total(like, c) / total(radiances, c));
+    radiances.iter().map(|rgb| std::array::from_fn(|c| rgb[c] * factors[c])).collect()
 }
 
 /// Over the mean of the truth.

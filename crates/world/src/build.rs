@@ -20,11 +20,7 @@ impl World {
         let tables = folder.join(&clouds.tables);
         let material = Material::load(&tables)?;
         agree(scene, &material, &tables)?;
-        let mut sun = sun(&scene.sun)?;
-        let sky = sky(scene, &sun, clouds)?;
-        if let (Sky::Clear(clear), None) = (&sky, scene.sun.irradiance) {
-            sun.irradiance = clear.sun_irradiance();
-        }
+        let (sun, sky) = lights(scene, clouds)?;
         let world = Self {
             camera: Camera::of(said_camera),
             sun,
@@ -50,6 +46,16 @@ impl World {
             self.field = before;
         }
         outside
+    }
+
+    /// Moves the sun to where the scene has it now; the sky goes with it.
+    ///
+    /// # Errors
+    /// Those of [`build`](Self::build) that concern sun and sky; then nothing has changed.
+    pub fn shine(&mut self, scene: &Scene) -> Result<(), WorldError> {
+        let (_, clouds) = picture(scene)?;
+        (self.sun, self.sky) = lights(scene, clouds)?;
+        Ok(())
     }
 
     /// Refuses a camera that is inside the cloud, below the ground, or out of this world.
@@ -95,6 +101,16 @@ impl Camera {
             height: camera.height as usize,
         }
     }
+}
+
+/// Sun and sky above the clouds; without an irradiance of its own the sun has the colour that clear air leaves it.
+fn lights(scene: &Scene, clouds: &said::Clouds) -> Result<(Sun, Sky), WorldError> {
+    let mut sun = sun(&scene.sun)?;
+    let sky = sky(scene, &sun, clouds)?;
+    if let (Sky::Clear(clear), None) = (&sky, scene.sun.irradiance) {
+        sun.irradiance = clear.sun_irradiance();
+    }
+    Ok((sun, sky))
 }
 
 fn sun(sun: &said::Sun) -> Result<Sun, WorldError> {

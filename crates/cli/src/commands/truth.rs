@@ -2,10 +2,10 @@
 
 use crate::CliError;
 use crate::args::TruthArgs;
+use crate::commands::picture::world;
 use crate::output::{Data, Talk};
 use crate::pipeline::input_error;
-use serde::Serialize;
-use std::path::{Path, PathBuf};
+use serde::{Deserialize, Serialize};
 use std::time::Instant;
 use stratiform_artifact::{create_folder, to_json, write_atomic};
 use stratiform_imaging::{Image, Tone, write_exr};
@@ -13,17 +13,14 @@ use stratiform_pathtrace::{Crop, Request, Stop, Truth, trace};
 use stratiform_scene::{Scene, find};
 use stratiform_world::World;
 
-/// Where the named scenes stand.
-const SCENES: &str = "fit-configs/scenes";
-
 /// Samples when nothing is said, and the most for a target.
 const SAMPLES: u64 = 64;
 const MOST: u64 = 1_000_000;
 
 /// `truth.json`.
-#[derive(Serialize)]
+#[derive(Serialize, Deserialize)]
 struct Document {
-    schema: &'static str,
+    schema: String,
     scene: String,
     moment_s: f64,
     /// Columns and rows of the whole picture.
@@ -36,10 +33,10 @@ struct Document {
     median_error: f64,
     /// Over pixels, the share of luminance that one path brought.
     largest_share: Shares,
-    version: &'static str,
+    version: String,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, Deserialize)]
 struct Shares {
     median: f32,
     most: f32,
@@ -52,7 +49,7 @@ struct Shares {
 /// [`CliError::Unmet`] if the samples did not suffice for the target.
 pub fn run(args: &TruthArgs, talk: Talk) -> Result<Data, CliError> {
     let (name, scene) = find(&args.scene).map_err(input_error)?;
-    let world = world(args, &scene)?;
+    let world = world(&args.scene, &scene, args.time, args.size)?;
     let request = request(args);
     let start = Instant::now();
     let truth = trace(&world, &request).map_err(input_error)?;
@@ -79,19 +76,6 @@ pub fn run(args: &TruthArgs, talk: Talk) -> Result<Data, CliError> {
     }
 }
 
-fn world(args: &TruthArgs, scene: &Scene) -> Result<World, CliError> {
-    let file = Path::new(&args.scene);
-    let folder = match file.parent() {
-        Some(folder) if file.exists() => folder.to_owned(),
-        _ => PathBuf::from(SCENES),
-    };
-    let mut world = World::build(scene, &folder, args.time).map_err(input_error)?;
-    if let Some([width, height]) = args.size {
-        (world.camera.width, world.camera.height) = (width, height);
-    }
-    Ok(world)
-}
-
 fn request(args: &TruthArgs) -> Request {
     let stop = match (args.target, args.seconds) {
         (Some(error), _) => Stop::Target { error, at_most: args.samples.unwrap_or(MOST) },
@@ -107,7 +91,7 @@ fn document(args: &TruthArgs, scene: String, world: &World, truth: &Truth) -> Do
     let mut shares = truth.largest_share.clone();
     shares.sort_by(f32::total_cmp);
     Document {
-        schema: "stratiform/truth/1",
+        schema: "stratiform/truth/1".to_owned(),
         scene,
         moment_s: args.time,
         width: world.camera.width,
@@ -117,7 +101,7 @@ fn document(args: &TruthArgs, scene: String, world: &World, truth: &Truth) -> Do
         seed: args.seed,
         median_error: truth.median_error,
         largest_share: Shares { median: shares[shares.len() / 2], most: shares[shares.len() - 1] },
-        version: env!("CARGO_PKG_VERSION"),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
     }
 }
 

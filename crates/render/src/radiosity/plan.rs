@@ -81,7 +81,10 @@ impl Plan {
 
     /// q of the world's planes: a texel's albedo is at most that of its mean thickness, R_ms in diffuse light being concave.
     fn kept(&self, world: &World, slab: &Slab) -> Result<f64, RadiosityError> {
-        let thickness = self.texels.means(|x, y| Ok::<_, RadiosityError>([world.field.thickness(x, y)]))?;
+        let (field, texels) = (&world.field, &self.texels);
+        let bilinear = || texels.means(|x, y| Ok::<_, RadiosityError>([field.thickness(x, y)]));
+        let whole = texels.blocks(field.map().side(), |i| [field.map().values()[i]]);
+        let thickness = whole.map_or_else(bilinear, Ok)?;
         let albedo = |[mean]: [f64; 1]| Ok([slab.diffuse(self.extinction_per_m * mean)?.r_ms; 3]);
         let cloud = thickness.into_iter().map(albedo).collect::<Result<Vec<_>, RadiosityError>>()?;
         Ok(kept(&self.weights, &self.ground_albedo, &cloud))
@@ -112,5 +115,7 @@ fn ground_albedo(map: &Map<[f64; 3]>, side: usize, extent_m: f64) -> Result<Vec<
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1000")]
     let across = map.side() * periods as usize;
-    Texels::over(side, across, extent_m).means(|x, y| Ok(map.value(x, y)))
+    let texels = Texels::over(side, across, extent_m);
+    let bilinear = || texels.means(|x, y| Ok(map.value(x, y)));
+    texels.blocks(map.side(), |i| map.values()[i]).map_or_else(bilinear, Ok)
 }

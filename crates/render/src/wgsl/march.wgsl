@@ -5,8 +5,8 @@
 // meets it says so.
 
 const MARCH_TURNS: u32 = 16384u;
-// A chord is followed over so many blocks; what is left of the way then counts as cloud.
-const CHORD_TURNS: u32 = 1024u;
+// A chord is followed over so many blocks; what is left of the way then counts as cloudy as what was seen since the entry.
+const CHORD_TURNS: u32 = 4096u;
 
 // A ray in the slab between base and greatest thickness.
 struct Ray {
@@ -114,7 +114,7 @@ fn march(ray: Ray, whole: bool) -> March {
             return found;
         }
         if (turn > CHORD_TURNS && found.entry >= 0.0) {
-            found.chord += ray.reach - way;
+            found.chord += (ray.reach - way) * (found.chord / (way - found.entry));
             return found;
         }
         let cell = floor(ray.texel + way * ray.slope);

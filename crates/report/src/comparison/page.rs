@@ -51,7 +51,7 @@ fn lead(document: &ComparisonDocument) -> Markup {
             "Errors are picture less truth. A relative error has the larger of the truth and " (100.0 * document.floor_share) " % of the \
              truth's mean as denominator. The truth's own noise is taken off an rms error; the median of its size stands beside that of \
              the error. FLIP is what an observer sees who alternates between both at " (document.pixels_per_degree) " pixels per degree, \
-             from 0 to 1."
+             from 0 to 1; the truth's noise is part of that."
         }
     }
 }

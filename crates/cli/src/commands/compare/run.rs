@@ -1,8 +1,9 @@
 //! Draws, traces, compares, writes.
 
-use super::said::{models, settings, world};
+use super::said::{models, settings};
 use crate::CliError;
 use crate::args::CompareArgs;
+use crate::commands::picture::world;
 use crate::compare::{Draw, FLOOR_SHARE, Subject, Truth, ablation, costs, pictures, rows};
 use crate::output::{Data, Talk};
 use crate::pipeline::input_error;
@@ -23,7 +24,7 @@ use stratiform_world::World;
 pub fn run(args: &CompareArgs, talk: Talk) -> Result<Data, CliError> {
     let (name, scene) = find(&args.scene).map_err(input_error)?;
     let models = models(args.model);
-    let mut world = world(args, &scene)?;
+    let mut world = world(&args.scene, &scene, args.time, args.size)?;
     let settings = settings(&scene, models);
     let gpu = Gpu::new().map_err(input_error)?;
     let given = args.truth.as_deref().map(Truth::read).transpose()?;

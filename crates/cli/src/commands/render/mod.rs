@@ -5,6 +5,9 @@ mod draw;
 #[cfg(feature = "gpu")]
 mod settings;
 
+#[cfg(feature = "gpu")]
+pub use settings::said;
+
 use crate::CliError;
 use crate::args::RenderArgs;
 use crate::output::{Data, Talk};

@@ -11,26 +11,12 @@ use stratiform_world::Contribution;
 /// # Errors
 /// [`CliError::Input`] for a contribution that does not exist.
 pub fn settings(args: &RenderArgs, scene: &Scene) -> Result<Settings, CliError> {
-    let said = &scene.radiosity;
-    let rings = match said.rings {
-        Rings::AsPrinted => RingRule::AsPrinted,
-        Rings::WiderSquares => RingRule::WiderSquares,
-        Rings::SquareWeights => RingRule::SquareWeights,
-    };
-    let usual = Settings::default();
     Ok(Settings {
         model: match args.model {
             RadianceModel::Angular => Model::Angular,
             RadianceModel::Fitted => Model::Fitted,
         },
         contributions: contributions(&args.only, &args.without)?,
-        radiosity: Radiosity {
-            side: said.side,
-            passes: said.passes,
-            error: said.error,
-            rings,
-            ..usual.radiosity
-        },
         depth: match args.depth {
             SlabDepth::Local => Depth::Local,
             SlabDepth::Chord => Depth::Chord,
@@ -39,8 +25,24 @@ pub fn settings(args: &RenderArgs, scene: &Scene) -> Result<Settings, CliError> 
             SlabNormals::Local => Normals::Local,
             SlabNormals::Vertical => Normals::Vertical,
         },
-        ..usual
+        ..said(scene)
     })
+}
+
+/// What the scene says; the rest as usual.
+pub fn said(scene: &Scene) -> Settings {
+    let usual = Settings::default();
+    let said = &scene.radiosity;
+    let rings = match said.rings {
+        Rings::AsPrinted => RingRule::AsPrinted,
+        Rings::WiderSquares => RingRule::WiderSquares,
+        Rings::SquareWeights => RingRule::SquareWeights,
+        Rings::Exact => RingRule::Exact,
+        Rings::LeastSquares => RingRule::LeastSquares,
+    };
+    let radiosity =
+        Radiosity { side: said.side, passes: said.passes, error: said.error, rings, ..usual.radiosity };
+    Settings { radiosity, ..usual }
 }
 
 /// Those named by `only`, or all but those named by `without`.
