@@ -50,18 +50,19 @@ impl Halos {
     fn sum(&self, c: usize, phases: &Phases, once: f64, v: f64, q: f64, omega: f64) -> f64 {
         let Some(table) = self.0.get(c) else { return 0.0 };
         let y = omega * phases.forward_fractions()[c] * q;
-        let several = libm::exp(-q) * beyond_one(y) * table.value(v, omega * q);
+        let several = beyond_one(q, y) * table.value(v, omega * q);
         let once = if v < phases.edge { libm::exp(-q) * omega * q * once } else { 0.0 };
         once + several
     }
 }
 
-/// e^y - 1 - y.
-fn beyond_one(y: f64) -> f64 {
+/// e^{-q}(e^y - 1 - y), without cancellation or overflow.
+fn beyond_one(q: f64, y: f64) -> f64 {
     if y > 0.3 {
-        return libm::expm1(y) - y;
+        return libm::exp(y - q) - (1.0 + y) * libm::exp(-q);
     }
-    0.5 * y * y * (1.0 + y / 3.0 * (1.0 + y / 4.0 * (1.0 + y / 5.0 * (1.0 + y / 6.0 * (1.0 + y / 7.0)))))
+    let tail = 1.0 + y / 3.0 * (1.0 + y / 4.0 * (1.0 + y / 5.0 * (1.0 + y / 6.0 * (1.0 + y / 7.0))));
+    0.5 * y * y * tail * libm::exp(-q)
 }
 
 /// Light of the sun that the camera's `ray` meets without a wide event.
@@ -94,5 +95,24 @@ fn after(layer: &Layer, ray: &Ray, share: f64, sun: glam::DVec3) -> f64 {
     match layer.follow(ray, share) {
         End::Inside(t) => layer.chord(&Ray { origin: ray.at(t), direction: sun }),
         End::Left(_) => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The Poisson sum from its third term on, where all of it can be summed; nothing is left of very long paths.
+    #[test]
+    fn the_share_of_two_or_more_events_is_the_poisson_sum() {
+        for (q, y) in [(1e-3, 4e-4), (0.6, 0.299), (0.6, 0.301), (20.0, 9.0)] {
+            let (mut term, mut sum) = (libm::exp(-q), 0.0);
+            for n in 1..200 {
+                term *= y / f64::from(n);
+                sum += if n > 1 { term } else { 0.0 };
+            }
+            assert!((beyond_one(q, y) / sum - 1.0).abs() < 1e-7, "{q} {y}");
+        }
+        assert_eq!(beyond_one(1e6, 4.5e5), 0.0);
     }
 }
