@@ -104,3 +104,22 @@ fn nonsense_is_refused() {
         refused(dir.path(), &["scene.toml", "--max-error", "50%"], says);
     }
 }
+
+/// With a table of ablations, what the scene's picture can do without is said; a table of other scenes is refused.
+#[test]
+fn what_a_picture_does_not_need_is_said() {
+    let dir = tempfile::tempdir().unwrap();
+    let header = "scene,change,error,noise,rise,difference,flip,width,height,ms,ms_saved\n";
+    let rows = "stratocumulus,nothing,0.1,0.01,0,0,0.05,64,36,,\n\
+                stratocumulus,without halo,0.1,0.01,0,0.001,0.05,64,36,,\n\
+                stratocumulus,without sky,0.3,0.01,0.2,0.25,0.2,64,36,,\n";
+    fs::write(dir.path().join("ablation.csv"), format!("{header}{rows}")).unwrap();
+    let asked =
+        |scene| run(dir.path(), &["advise", scene, "--max-error", "90%", "--ablation", "ablation.csv"]);
+    let known = asked("stratocumulus");
+    assert_eq!(known.status.code(), Some(0), "{}", text(&known.stderr));
+    assert!(text(&known.stdout).contains("leaving out halo, sky changes the picture by at most 25.1 %"));
+    let unknown = asked("thin-veil");
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(text(&unknown.stderr).contains("no rows of the scene `thin-veil`") && unknown.stdout.is_empty());
+}

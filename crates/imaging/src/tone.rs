@@ -60,14 +60,15 @@ impl Tone {
         Self { exposure_ev, ..Self::default() }
     }
 
-    /// The exposure at which the image's 95th percentile of luminance is 0.8 of white; 0 where all is black.
+    /// The exposure at which the image's 95th percentile of luminance is 0.8 of white, by at most 20 stops either way: what is
+    /// darker still stays dark. 0 where all is black.
     pub fn fitting(image: &Image) -> Self {
         let mut bright: Vec<f64> =
             image.pixels().iter().map(|p| srgb::luminance(p.map(f64::from))).filter(|y| *y > 0.0).collect();
         bright.sort_by(f64::total_cmp);
         let at = bright.get((bright.len() * 95 / 100).min(bright.len().saturating_sub(1)));
         let exposure = at.map_or(0.0, |y| libm::log2(0.8 / (std::f64::consts::PI * y)));
-        Self::at(libm::round(4.0 * exposure) / 4.0)
+        Self::at(libm::round(4.0 * exposure.clamp(-20.0, 20.0)) / 4.0)
     }
 
     /// Display-linear light, each channel in [0, 1], of finite radiance.
@@ -155,6 +156,8 @@ mod tests {
         assert!((0.8 / 1.1..0.8 * 1.1).contains(&shown), "{shown}");
         let black = Image::new(1, 1, vec![[0.0; 3]]).unwrap();
         assert_eq!(Tone::fitting(&black).exposure_ev, 0.0);
+        let faint = Image::new(1, 1, vec![[1e-30; 3]]).unwrap();
+        assert_eq!(Tone::fitting(&faint).bytes(&faint).unwrap(), [0; 3]);
     }
 
     #[test]

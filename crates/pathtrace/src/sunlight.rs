@@ -47,15 +47,16 @@ impl Scene<'_> {
     pub(crate) fn sunlight(&self, origin: DVec3, mut carrier: Carrier, rng: &mut Pcg32) -> Option<Arrival> {
         let Leg { length, weight } = self.leg(origin, rng)?;
         let path = self.extinction * length;
-        let missing = self.forward.map(|forward| libm::exp(-self.albedo * path * forward));
+        let mean_events = self.forward.map(|forward| self.albedo * path * forward);
         let mut direction = self.world.sun.direction;
-        for _ in 0..poisson(missing[carrier.channel], rng) {
+        for _ in 0..poisson(libm::exp(-mean_events[carrier.channel]), rng) {
             let v = self.phases.sample(carrier.channel, true, rng.next_u32());
             direction = turned(direction, v, rng);
             carrier.scatter(self.phases.values(v));
         }
-        let density = mean(std::array::from_fn(|c| carrier.ratio[c] * missing[c]));
-        let scale = weight * libm::exp(-path) / density;
+        // The densities over e^{-κl}.
+        let density = mean(std::array::from_fn(|c| carrier.ratio[c] * libm::exp(path - mean_events[c])));
+        let scale = weight / density;
         Some(Arrival { direction, share: carrier.ratio.map(|r| r * scale) })
     }
 

@@ -195,6 +195,17 @@ fn what_is_out_of_domain_is_refused() {
     assert!(HeightField::new(Map::new(1, 1.0, vec![f64::NAN]).unwrap()).is_err());
 }
 
+/// Towards the sun just over the horizon, through tens of kilometres of cloud.
+#[test]
+fn long_ways_through_the_cloud_are_numbers() {
+    let mut world = lit();
+    world.sun.direction = worlds::towards(89.5, 90.0);
+    world.camera = worlds::camera(DVec3::new(0.0, 0.0, 900.0), worlds::towards(89.0, 92.0), 0.05, 8, 6);
+    world.field = HeightField::flat(500.0, 1000.0).unwrap();
+    let truth = samples(&world, 20);
+    assert!(truth.mean.pixels().iter().flatten().all(|x| x.is_finite() && *x >= 0.0));
+}
+
 /// A function without any light below θ_f, and one that is the same everywhere, are no special cases.
 #[test]
 fn phase_functions_without_a_peak_are_traced() {

@@ -24,7 +24,9 @@ const BOUND: f64 = 1e-4;
 
 /// Colours and exposures: darkness, both pieces of the transfer curve, the shoulder, far above white, outside the gamut, below black.
 fn samples() -> Vec<[f32; 4]> {
-    let greys = (0..64).map(|i| 1e-5 * 1.4_f32.powf(i as f32)).map(|l| [l, 0.7 * l, 0.3 * l, 0.0]);
+    let greys = (0..64)
+        .map(|i| (1_u64 << (i / 2)) as f32 * if i % 2 == 0 { 1e-6 } else { 1.4e-6 })
+        .map(|l| [l, 0.7 * l, 0.3 * l, 0.0]);
     let odd = [[0.0; 4], [0.3, 0.2, -0.05, 1.0], [-0.1, -0.2, 0.01, 0.0], [1e4, 1e3, -1.0, 3.0]];
     let exposed = (-8..8).map(|ev| [0.2, 0.25, 0.3, 0.5 * ev as f32]);
     greys.chain(odd).chain(exposed).collect()

@@ -30,7 +30,8 @@ pub struct AdviseArgs {
     /// Error data of `stratiform errors` instead of those that come with the program.
     #[arg(long, value_name = "DIR")]
     pub data: Option<PathBuf>,
-    /// What leaving out parts of the scene's picture does: ablation.csv of `stratiform compare`. Needs --max-error.
+    /// What leaving out parts of the scene's picture does: ablation.csv of `stratiform compare`, instead of
+    /// fit-configs/render/ablation.csv. Needs --max-error.
     #[arg(long, value_name = "FILE", requires = "max_error")]
     pub ablation: Option<PathBuf>,
     /// Print one JSON object.

@@ -54,6 +54,9 @@ pub struct RenderArgs {
     /// Columns and rows instead of the scene's.
     #[arg(long, value_parser = size, value_name = "WxH")]
     pub size: Option<[usize; 2]>,
+    /// Rays a pixel each way, whose mean is the pixel: what is smaller than a pixel no longer glitters.
+    #[arg(long, value_parser = clap::value_parser!(u8).range(1..=16), value_name = "N", default_value = "1")]
+    pub oversample: u8,
     /// The clouds as they are after so many seconds.
     #[arg(long, value_parser = finite, value_name = "S", default_value = "0")]
     pub time: f64,

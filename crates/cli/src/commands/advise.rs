@@ -6,6 +6,7 @@ use crate::CliError;
 use crate::args::AdviseArgs;
 use crate::output::{Data as Text, Talk};
 use crate::pipeline::{input_error, optics};
+use std::path::Path;
 use stratiform_advise::{Advice, AdviseError, Budget, Data, advise, unneeded};
 use stratiform_artifact::{read_csv, to_json, write_atomic};
 use stratiform_optics::OpticsConfig;
@@ -24,7 +25,7 @@ pub fn run(args: &AdviseArgs, talk: Talk) -> Result<Text, CliError> {
     let data = args.data.as_deref().map_or_else(Data::committed, Data::load).map_err(refused)?;
     let tau = thickness(&scene)?;
     let mut advice = advise(&data, &scene, tau, &budget, args.ground_albedo).map_err(refused)?;
-    advice.notes.extend(contributions(args, &name, &budget)?);
+    advice.notes.extend(contributions(args, (&name, &scene), &budget)?);
     let text = if args.json { to_json(&advice)? } else { advice.to_string() };
     if !advice.met {
         return Err(CliError::Unmet { message: nearest(&advice), data: text });
@@ -36,13 +37,24 @@ pub fn run(args: &AdviseArgs, talk: Talk) -> Result<Text, CliError> {
     Ok(text)
 }
 
-/// Which parts the scene's picture does not need, where a table knows.
-fn contributions(args: &AdviseArgs, scene: &str, budget: &Budget) -> Result<Option<String>, CliError> {
-    let (Some(path), Some(max_error)) = (&args.ablation, budget.max_error) else { return Ok(None) };
-    let table = read_csv(path)?;
-    let found = unneeded(&table, scene, max_error);
-    let unknown = || CliError::Input(format!("{}: no rows of the scene `{scene}`", path.display()));
-    Ok(Some(found.ok_or_else(unknown)?.to_string()))
+/// Where `scripts/compare-pictures` puts the table of ablations.
+const ABLATION: &str = "fit-configs/render/ablation.csv";
+
+/// Which parts a scene's picture does not need: by the table that was named, which must know the scene, or by the usual one where it is
+/// there and does.
+fn contributions(
+    args: &AdviseArgs,
+    (name, scene): (&str, &Scene),
+    budget: &Budget,
+) -> Result<Option<String>, CliError> {
+    let path = args.ablation.as_deref().unwrap_or(Path::new(ABLATION));
+    let wanted = args.ablation.is_some() || (scene.camera.is_some() && path.exists());
+    let Some(max_error) = budget.max_error.filter(|_| wanted) else { return Ok(None) };
+    match unneeded(&read_csv(path)?, name, max_error) {
+        Some(found) => Ok(Some(found.to_string())),
+        None if args.ablation.is_none() => Ok(None),
+        None => Err(CliError::Input(format!("{}: no rows of the scene `{name}`", path.display()))),
+    }
 }
 
 fn refused(error: AdviseError) -> CliError {

@@ -21,12 +21,15 @@ pub fn run(args: &RenderArgs, talk: Talk) -> Result<Data, CliError> {
     let (_, scene) = find(&args.scene).map_err(input_error)?;
     let settings = settings(args, &scene)?;
     let tone = Tone::at(args.exposure.unwrap_or(scene.picture.exposure_ev));
-    let world = world(&args.scene, &scene, args.time, args.size)?;
+    let mut world = world(&args.scene, &scene, args.time, args.size)?;
+    let rays = usize::from(args.oversample);
+    world.camera.width *= rays;
+    world.camera.height *= rays;
     std::iter::once(&args.out).chain(&args.exr).try_for_each(|path| has_folder(path))?;
     let gpu = Gpu::new().map_err(input_error)?;
     talk.say(format!("drawing on {}", gpu.adapter()));
     let mut renderer = Renderer::new(&gpu, &world, &settings).map_err(input_error)?;
-    let image = renderer.draw().map_err(input_error)?;
+    let image = renderer.draw().map_err(input_error)?.downsample(rays).map_err(input_error)?;
     let files = write(args, &image, &tone)?;
     if args.timings { times(&renderer.timings(), talk) } else { Ok(files) }
 }
