@@ -6,7 +6,8 @@ Usage: scripts/neyret-terms.py STRATIFORM HEIGHTS OUT [SCENE...]
 STRATIFORM is the command with the feature `gpu`, HEIGHTS the example of that name of stratiform-world. For each scene (a name in
 fit-configs/scenes) OUT gets the truth, pictures at 4 x 4 rays a pixel and the thickness map, unless they are there already;
 OUT/neyret-terms.csv and stdout get a row per scene, term and parameter set. All numbers are of luminance. SAMPLES and MODEL may be
-set in the environment. Pixels within 6 degrees of the sun are left out. numpy is needed.
+set in the environment; PLANT adds so many light traps (Lambert mean, third of a cell, k = 4) to the truth. Pixels within 6 degrees of
+the sun are left out. numpy is needed.
 
 A term s F is added to the picture, F the mean over a pixel's rays, s by least squares; error changes are of s found in the other half
 of the picture (6 x 6 pixels a square of a chequerboard), their standard errors from 1000 bootstraps over those squares.
@@ -19,8 +20,9 @@ import numpy as np
 SIZE, OVER, BLOCK, FLOOR = (96, 54), 4, 6, 0.01
 # Pixels nearer to the sun hold its disc and the forward peak, next to which nothing else counts.
 AWAY_DEG = 6
+PLANT = float(os.environ.get("PLANT", 0))
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
-FIELDS = "scene term parameters pixels noise error change change_se strength strength_se median median_after noise_median".split()
+FIELDS = "model scene term parameters pixels noise error change change_se strength strength_se median median_after noise_median".split()
 
 
 def exr(path):
@@ -132,9 +134,19 @@ class Geometry:
             if not len(go):
                 break
         p = position + np.maximum(self.hit, 0)[:, None] * d
-        self.x, self.y = p[:, 0], p[:, 1]
+        self.x, self.y, self.z = p[:, 0], p[:, 1], p[:, 2] - base
         # Seen through its top: from above, or through a flank.
         self.top = (self.hit >= 0) & ((d[:, 2] < 0) | (p[:, 2] - base > 0.03 * most))
+
+    def in_sun(self):
+        """Whether nothing of the cloud is between a ray's first point in it, a little above, and the sun."""
+        step = min(0.5 * self.step, self.map.max() / 100 / self.sun[2])
+        lit, z = self.top.copy(), self.z + 0.01 * self.map.max()
+        for way in np.arange(1, self.map.max() / self.sun[2] / step):
+            go = np.flatnonzero(lit)
+            p = way * step * self.sun
+            lit[go] = z[go] + p[2] > self.at(self.map, self.x[go] + p[0], self.y[go] + p[1])
+        return lit
 
     def traps(self, texels, ambient):
         """Local height h from 0 to 1, and the mean Lambertian light of the neighbourhood, under every ray."""
@@ -204,29 +216,37 @@ def light_traps(g, held, cloud):
     ambient = 0.25 / np.pi
     shown = np.where(g.top, 1 - np.exp(-0.5 * g.kappa * g.chord), 0)
     pixel = lambda values: down((shown * values).reshape(g.shape))
+    lit = g.in_sun()
+    if PLANT:
+        h, mean = g.traps(int(round(g.cell / 3 / g.step)), ambient)
+        held.truth = held.truth + PLANT * pixel(np.arctan(4 * (1 - h)) / np.arctan(4) * mean)[held.keep]
     for share in (1.0, 1 / 3, 1 / 9):
         texels = max(int(round(share * g.cell / g.step)), 3)
         h, mean = g.traps(texels, ambient)
-        profile(g, held, share, h)
-        lights = {"Lambert mean": mean, "one mean": np.ones_like(mean), "own light": cloud.ravel()}
+        profile(g, held, share, h, g.top, "all")
+        profile(g, held, share, h, lit, "in the sun")
+        lights = {"Lambert mean": mean, "Lambert mean in the sun": lit * mean, "one mean": np.ones_like(mean), "own light": cloud.ravel()}
         for light, values in lights.items():
             for k in (1, 4, 16):
                 f = np.arctan(k * (1 - h)) / np.arctan(k)
                 words = f"{light} of {share:.2f} cells k={k}"
                 yield held.fit("light trap", words, [pixel(f * values)])
+                if light == "Lambert mean":
+                    F = pixel(f * values)
+                    yield held.fit("light trap of strength 1", words, [0 * F], fixed=F) | {"strength": 1.0, "strength_se": 0.0}
                 yield held.fit("light trap beyond a gain", words, [pixel(values), pixel(f * values)], base=[pixel(values)])
 
 
-def profile(g, held, share, h):
+def profile(g, held, share, h, which, words):
     """Picture - truth over the truth's mean by local height, to stderr."""
-    height, seen = (down((g.top * v).reshape(g.shape)) for v in (h, np.ones_like(h)))
+    height, seen = (down((which * v).reshape(g.shape)) for v in (h, np.ones_like(h)))
     D = (held.picture - held.truth) / np.mean(held.truth)
     whole, height = seen[held.keep] > 0.99, height[held.keep]
     for low in np.arange(0, 1, 0.2):
         pick = whole & (height >= low) & (height < low + 0.2)
         if pick.sum() > 20:
             se = D[pick].std() / np.sqrt(pick.sum())
-            print(f"{held.name} {share:.2f} cells: h {low:.1f}-{low + 0.2:.1f}: {pick.sum()} pixels, bias {D[pick].mean():+.4f} +- {se:.4f}", file=sys.stderr)
+            print(f"{held.name} {words} {share:.2f} cells: h {low:.1f}-{low + 0.2:.1f}: {pick.sum()} pixels, bias {D[pick].mean():+.4f} +- {se:.4f}", file=sys.stderr)
 
 
 def coronas(g, held, cloud):
@@ -235,6 +255,7 @@ def coronas(g, held, cloud):
     forward = np.maximum(g.d @ g.sun, 1e-6)
     for opaque in (1, 3, 10):
         rho = np.minimum(q / opaque, 1)
+        thin = down((rho * (1 - rho)).reshape(g.shape))
         gone = -down(((1 - rho) * (q > 0) * cloud.ravel()).reshape(g.shape))
         for K in (1, 10, 100, 1000):
             lobe = down((rho * (1 - rho) * np.exp(np.maximum(K / np.maximum(q, 1e-3) * np.log(forward), -80))).reshape(g.shape))
@@ -242,6 +263,7 @@ def coronas(g, held, cloud):
                 continue
             words = f"q1={opaque} K={K}"
             yield held.fit("corona added", words, [lobe])
+            yield held.fit("corona beyond a gain", words, [thin, lobe], base=[thin])
             yield held.fit("corona as printed", words, [lobe], fixed=gone)
 
 
@@ -268,6 +290,7 @@ def main(stratiform, heights, out, *names):
         held = Held(name, luminance(truth), luminance(truth, "std_error."), down(whole), away)
         rows += [*light_traps(g, held, cloud), *coronas(g, held, cloud)]
     with open(Path(out) / "neyret-terms.csv", "w", newline="") as file:
+        rows = [{"model": model, **row} for row in rows]
         for sink in (file, sys.stdout):
             table = csv.DictWriter(sink, FIELDS)
             table.writeheader()
