@@ -109,7 +109,7 @@ fn every_scene_loads_and_is_named() {
             name
         })
         .collect();
-    let mut known = stratiform_scene::NAMES.to_vec();
+    let mut known = [stratiform_scene::NAMES, stratiform_scene::PICTURES].concat();
     names.sort();
     known.sort_unstable();
     assert_eq!(names, known);

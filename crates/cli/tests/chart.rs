@@ -58,7 +58,7 @@ fn unknown_names_and_bad_scenes_are_refused_before_anything_is_written() {
     std::fs::write(&bad, text).unwrap();
     let out = dir.path().join("out");
     let cases = [
-        (["--scene", "glory"], "the scenes are thin-veil, stratocumulus-above"),
+        (["--scene", "no-such"], "the scenes are thin-veil, stratocumulus-above"),
         (["--scene", "glory-view,glory-view"], "named twice"),
         (["--methods", "no-such"], "the methods are single-mie"),
         (["--methods", "octaves:x"], "octaves:x"),

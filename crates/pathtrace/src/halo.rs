@@ -9,7 +9,7 @@
 //! ```
 //!
 //! is exact for n = 1 (one bend is the path), reads the same from either end, and is the plain sum where ray and sun are in line. From
-//! two events on the shape comes from a table. Against the solver radiance near the sun is right to 4e-3 (`tests`).
+//! two events on the shape comes from a table. Against the solver radiance is right to 2e-3 within 4° of the sun, to 7e-3 at 12° (`tests`).
 
 use crate::layer::{End, Layer, Ray};
 use crate::light::Light;
