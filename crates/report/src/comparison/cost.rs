@@ -80,7 +80,7 @@ fn figure(number: usize, (scene, adapter): (&str, &str), frames: &[Frame]) -> Fi
     let all = || frames.iter().map(|frame| frame.ms);
     Figure {
         name: if number == 0 { "render-costs".to_owned() } else { format!("render-costs-{}", number + 1) },
-        title: format!("Cost of a frame: {scene} on {adapter}"),
+        title: format!("Cost of a frame: {scene} on {}", adapter.split(" (").next().unwrap_or(adapter)),
         caption: "Sum of all passes by the device's clock, against pixels and against radiosity passes at the largest picture.".to_owned(),
         legend: legend.chain(further).collect(),
         rows: vec![Row {
