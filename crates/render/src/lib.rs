@@ -22,6 +22,7 @@ mod field;
 mod generated;
 mod ground_light;
 mod outside;
+mod parameters;
 mod phase_table;
 mod pyramid;
 pub mod radiosity;

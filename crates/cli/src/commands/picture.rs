@@ -18,6 +18,15 @@ pub fn folder(scene: &str) -> PathBuf {
     }
 }
 
+/// What a program says that was built without the cargo `feature` that it takes to `draw` a scene.
+#[cfg(not(feature = "view"))]
+pub fn unavailable(draw: &str, scene: &str, feature: &str) -> CliError {
+    CliError::Input(format!(
+        "cannot {draw} `{scene}`: this program was built without the cargo feature `{feature}`; build it with `cargo build --release -p \
+         stratiform-cli --features {feature}`"
+    ))
+}
+
 /// The world of the scene called `name` at a moment, in seconds; a `size` takes the place of the scene's.
 ///
 /// # Errors

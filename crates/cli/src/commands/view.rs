@@ -33,9 +33,5 @@ pub fn run(args: &WindowArgs, talk: Talk) -> Result<Data, CliError> {
 /// [`CliError::Input`], always.
 #[cfg(not(feature = "view"))]
 pub fn run(args: &WindowArgs, _talk: Talk) -> Result<Data, CliError> {
-    Err(CliError::Input(format!(
-        "cannot open a window on `{}`: this program was built without the cargo feature `view`; build it with `cargo build --release -p \
-         stratiform-cli --features view`",
-        args.scene
-    )))
+    Err(crate::commands::picture::unavailable("open a window on", &args.scene, "view"))
 }

@@ -1,10 +1,11 @@
 //! The fluxes of a reproduced folder on the CPU, in f64: what `stratiform.wgsl` of the same folder gives on the device.
 
 use super::RadiosityError;
+use crate::parameters::{angles, values};
 use std::path::Path;
-use stratiform_artifact::{ParameterRow, ParameterTable, ParametersDocument, read_json};
-use stratiform_model::table::{Angle, ParameterGrid};
-use stratiform_model::{Fluxes, Form, Parameters, Thickness, Values};
+use stratiform_artifact::{ParametersDocument, read_json};
+use stratiform_model::table::ParameterGrid;
+use stratiform_model::{Fluxes, Form, Parameters, Thickness};
 use stratiform_quantities::Incidence;
 
 /// Fluxes of a slab by the fitted parameters, per optical thickness.
@@ -24,15 +25,11 @@ impl Slab {
         let path = folder.join("parameters.json");
         let document: ParametersDocument = read_json(&path)?;
         let table = &document.optical;
-        let angle = |row: &ParameterRow| {
-            row.theta_l_deg.degrees().map(|theta_l_deg| Angle { theta_l_deg, values: values(table, row) })
-        };
-        let angles: Vec<Angle> = table.rows.iter().filter_map(angle).collect();
         let diffuse = table.rows.iter().find(|row| row.theta_l_deg.degrees().is_none());
         let missing = || RadiosityError::Contents(format!("{}: no row of diffuse light", path.display()));
         let diffuse = values(table, diffuse.ok_or_else(missing)?);
         Ok(Self {
-            grid: ParameterGrid::new(&angles)?,
+            grid: ParameterGrid::new(&angles(table))?,
             diffuse: Parameters::new(&diffuse, Incidence::Diffuse)?,
         })
     }
@@ -51,17 +48,5 @@ impl Slab {
     /// [`RadiosityError::Model`] for τ outside \[0, 1e6\].
     pub fn diffuse(&self, tau: f64) -> Result<Fluxes<f64>, RadiosityError> {
         Ok(self.diffuse.fluxes(Form::Corrected, Thickness::new(tau)?))
-    }
-}
-
-fn values(table: &ParameterTable, row: &ParameterRow) -> Values<f64> {
-    Values {
-        beta: table.beta.value,
-        b: row.b.emitted,
-        c: row.c.emitted,
-        kappa_c: row.kappa_c.emitted,
-        t: row.t.emitted,
-        r: row.r.emitted,
-        kappa_s: table.kappa_s,
     }
 }

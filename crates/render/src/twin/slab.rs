@@ -1,14 +1,15 @@
 //! The cloud at a point as a slab: the crate `model` in f32 where the device has the emitted text.
 
 use crate::generated::{PHASE_COUNT, halo};
+use crate::parameters::angles;
 use crate::phase_table::{kept, phase_table};
 use crate::{Model, RenderError, Settings};
 use stratiform_artifact::{ParametersDocument, RadianceParametersDocument, read_json};
 use stratiform_model::angular::halo::{Halo, Peak};
 use stratiform_model::angular::{Angular, PhaseLookup, Sight};
 use stratiform_model::radiance::{Coefficients, POWERS, TERMS};
-use stratiform_model::table::{Angle, ParameterGrid};
-use stratiform_model::{Fluxes, Form, Thickness, Values, radiance};
+use stratiform_model::table::ParameterGrid;
+use stratiform_model::{Fluxes, Form, Thickness, radiance};
 use stratiform_quantities::{Side, angle_map};
 use stratiform_world::World;
 
@@ -55,9 +56,10 @@ impl Slab {
         let material = &world.material;
         let folder = &material.generated;
         let half = libm::sin(0.5 * material.theta_f_deg.to_radians());
+        let parameters: ParametersDocument = read_json(&folder.join("parameters.json"))?;
         Ok(Self {
             settings: *settings,
-            grid: grid(&read_json(&folder.join("parameters.json"))?)?,
+            grid: ParameterGrid::new(&angles(&parameters.optical))?,
             coefficients: coefficients(&read_json(&folder.join("../accepted/radiance_parameters.json"))?)?,
             phase: phase_table(material)?,
             halo: halo(folder)?,
@@ -128,27 +130,6 @@ impl Slab {
         let line = |row: usize| at(row, column) + (at(row, column + 1) - at(row, column)) * u;
         line(row) + (line(row + 1) - line(row)) * w
     }
-}
-
-fn grid(document: &ParametersDocument) -> Result<ParameterGrid<f32>, RenderError> {
-    let table = &document.optical;
-    let angles: Vec<Angle> = table
-        .rows
-        .iter()
-        .filter_map(|row| {
-            let values = Values {
-                beta: table.beta.value,
-                b: row.b.emitted,
-                c: row.c.emitted,
-                kappa_c: row.kappa_c.emitted,
-                t: row.t.emitted,
-                r: row.r.emitted,
-                kappa_s: table.kappa_s,
-            };
-            row.theta_l_deg.degrees().map(|theta_l_deg| Angle { theta_l_deg, values })
-        })
-        .collect();
-    Ok(ParameterGrid::new(&angles)?)
 }
 
 fn coefficients(document: &RadianceParametersDocument) -> Result<Coefficients<f32>, RenderError> {

@@ -28,9 +28,5 @@ pub fn run(args: &RenderArgs, talk: Talk) -> Result<Data, CliError> {
 /// [`CliError::Input`], always.
 #[cfg(not(feature = "gpu"))]
 pub fn run(args: &RenderArgs, _talk: Talk) -> Result<Data, CliError> {
-    Err(CliError::Input(format!(
-        "cannot draw `{}`: this program was built without the cargo feature `gpu`; build it with `cargo build --release -p \
-         stratiform-cli --features gpu`",
-        args.scene
-    )))
+    Err(crate::commands::picture::unavailable("draw", &args.scene, "gpu"))
 }
