@@ -60,9 +60,11 @@ fn the_bow_is_where_its_phase_functions_over_many_events_have_it_and_near_white(
         let (theta, light) = found.maxima()[0];
         let (predicted, _) = expected.maxima()[0];
         bow[channel] = light;
+        println!("fogbow at {theta:.3} degrees, predicted {predicted:.3}");
         assert!((theta - predicted).abs() < pixel_deg(&world.camera), "{theta} {predicted}");
         assert!((theta - 142.0).abs() < 1.0, "{theta}");
     }
+    println!("fogbow, contrast between channels {:.4}", contrast(bow).unwrap());
     assert!(contrast(bow).unwrap() < 0.04, "{bow:?}");
 }
 
@@ -80,6 +82,7 @@ fn its_contrast_is_that_of_the_solved_layer() {
     let rays = rows.map(|y| ray(&world, (2, y)));
     let expected = contrast(solved::radiance(&world, &world.material.phase, tau, &rays).unwrap()).unwrap();
     let found = contrast(rows.map(|y| f64::from(image.at(2, y)[1]))).unwrap();
+    println!("fogbow, contrast {found:.4}, solved {expected:.4}");
     assert!((0.06..0.08).contains(&expected), "{expected}");
     assert!((found - expected).abs() < 0.005, "{found} {expected}");
 }
@@ -100,6 +103,7 @@ fn without_light_of_one_event_there_is_none() {
     let world = strip();
     let rises = |settings| profiles(&world, &picture(&gpu, &world, &settings)).map(|profile| rise(&profile));
     let (with, without) = (rises(Settings::default()), rises(without(&[Contribution::Single])));
+    println!("fogbow above its flanks {with:.3?}, without single events {without:.3?}");
     assert!(with.iter().all(|rise| *rise > 0.1), "{with:?}");
     assert!(without.iter().all(|rise| rise.abs() < 0.03), "{without:?}");
 }

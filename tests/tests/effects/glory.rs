@@ -39,6 +39,7 @@ fn rings_are_where_the_phase_functions_have_them_red_outermost() {
     let profiles = profiles(&gpu, &world, &Settings::default());
     let found = profiles.each_ref().map(|profile| profile.maxima()[0].0);
     for (found, expected) in found.iter().zip(expected(&world)) {
+        println!("glory ring at {found:.3} degrees, expected {expected:.3}");
         assert!((found - expected).abs() < pixel, "{found} {expected}");
     }
     assert!(found[0] + 3.0 * pixel < found[1] && found[1] + 3.0 * pixel < found[2], "{found:?}");

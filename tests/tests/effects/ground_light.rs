@@ -55,6 +55,7 @@ fn the_base_over_water_is_darker_than_over_ice_as_between_two_planes() {
     let expected = between_planes(&world);
     let (found, expected) = (contrast(drawn).unwrap(), contrast(expected).unwrap());
     assert!(drawn[0] < drawn[1] && expected > 0.2);
+    println!("water sky, contrast {found:.4}, expected {expected:.4}");
     assert!((found / expected - 1.0).abs() < 0.05, "{found} {expected}");
 }
 
@@ -87,6 +88,7 @@ fn the_blink_begins_as_the_view_of_a_half_plane_does() {
         let [both, water, ice] = [&both, &water, &ice].map(|image| f64::from(image.at(x, 0)[1]));
         let found = (both - water) / (ice - water);
         let expected = 0.5 * (1.0 + inside / libm::hypot(inside, height));
+        println!("ice blink, {inside:?}: {found:.4}, expected {expected:.4}");
         assert!((found - expected).abs() < 0.03, "{inside} {found} {expected}");
     }
 }

@@ -2,6 +2,7 @@
 //! gone when what makes it is switched off.
 
 #![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
+#![allow(clippy::print_stdout, reason = "the figures, with --nocapture")]
 
 #[path = "../../../crates/gpu/tests/device/mod.rs"]
 mod device;
