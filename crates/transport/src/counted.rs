@@ -52,28 +52,29 @@ impl Counted {
     /// The same until they are added.
     pub fn next(&mut self, within: &Range<u64>, longest: u64) -> Result<Vec<Cell>, TransportError> {
         let Some(round) = self.next_round(within)? else { return Ok(Vec::new()) };
+        if self.request.stop.target().is_some() {
+            self.round = round.clone();
+        }
         let within = within.start.max(round.start)..within.end.min(round.end);
         let gaps = self.photons.gaps(&within);
         Ok(gaps.iter().flat_map(|gap| cells(&round, gap, longest)).collect())
     }
 
-    /// The first round that lacks photons of `within`.
-    fn next_round(&mut self, within: &Range<u64>) -> Result<Option<Range<u64>>, TransportError> {
-        match self.request.stop {
-            Stop::Photons(max) => Ok(self.photons.first_gap(within).map(|photon| fixed_round(photon, max))),
-            Stop::StdError { target, max_photons } => {
-                if self.photons.first_gap(&self.round).is_none() {
-                    let traced = self.traced()?;
-                    if self.round.end == max_photons || traced.target_reached() == Some(true) {
-                        return Ok(None);
-                    }
-                    let done = self.round.end;
-                    let length = photons_to_go(done, traced.worst_error() / target);
-                    self.round = done..max_photons.min(done + length);
-                }
-                Ok(Some(self.round.clone()))
-            }
+    /// The first round that lacks photons of `within`; none if nothing is left to do.
+    pub fn next_round(&self, within: &Range<u64>) -> Result<Option<Range<u64>>, TransportError> {
+        let Stop::StdError { target, max_photons } = self.request.stop else {
+            let first = self.photons.first_gap(within);
+            return Ok(first.map(|photon| fixed_round(photon, self.request.stop.max_photons())));
+        };
+        if self.photons.first_gap(&self.round).is_some() {
+            return Ok(Some(self.round.clone()));
         }
+        let (traced, done) = (self.traced()?, self.round.end);
+        if done == max_photons || traced.target_reached() == Some(true) {
+            return Ok(None);
+        }
+        let length = photons_to_go(done, traced.worst_error() / target);
+        Ok(Some(done..max_photons.min(done + length)))
     }
 
     /// Adds what the photons of `cell` have counted.

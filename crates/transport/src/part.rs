@@ -127,12 +127,21 @@ impl Part {
         self.counted.merge(&other.counted)
     }
 
-    /// Photons of `share` that are not counted yet, as ranges. Of a trace with a target error, those of its present round.
+    /// Photons of `share` that are not counted yet, as ranges.
     ///
     /// # Errors
     /// As [`share`](Self::share).
     pub fn missing(&self, share: Share) -> Result<Vec<Range<u64>>, TransportError> {
         Ok(self.counted.missing(&self.share(share)?))
+    }
+
+    /// Whether nothing of `share` is left to trace; with a target error, whether it is reached or all photons are used.
+    ///
+    /// # Errors
+    /// As [`share`](Self::share), and [`TransportError::Books`] if counts do not add up.
+    pub fn is_complete(&self, share: Share) -> Result<bool, TransportError> {
+        let within = self.share(share)?;
+        Ok(self.counted.next_round(&within)?.is_none())
     }
 
     /// The result.
