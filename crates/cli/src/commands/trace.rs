@@ -1,6 +1,6 @@
 //! `stratiform trace`: Monte Carlo fluxes per order, as CSV or JSON; with views, `traced_radiance`.
 
-use crate::args::{SpreadArgs, TraceArgs};
+use crate::args::TraceArgs;
 use crate::commands::traced_radiance;
 use crate::medium::Medium;
 use crate::output::{Data, Talk};
@@ -24,15 +24,8 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
     let jobs = run.jobs(&medium)?;
     let mut parts = RunParts::nothing(run, share, &jobs);
     let watch = interrupt::watch();
-    match checkpoint(&args.spread, talk)? {
-        None => parts.trace(&jobs, talk, |_| ())?,
-        Some(mut checkpoint) => {
-            checkpoint.resume(&mut parts)?;
-            let traced = parts.trace(&jobs, talk, |snapshot| checkpoint.keep(snapshot));
-            checkpoint.keep_now(&parts);
-            traced?;
-        }
-    }
+    let checkpoint = Checkpoint::resumed(&args.spread, &mut parts, talk)?;
+    parts.trace_keeping(&jobs, checkpoint, talk)?;
     drop(watch);
     match &args.spread.out {
         None => parts.print(args.json),
@@ -54,9 +47,4 @@ fn check(args: &TraceArgs, share: Share) -> Result<(), CliError> {
         return Err(CliError::Input("--out and --checkpoint name the same file".to_owned()));
     }
     Ok(())
-}
-
-fn checkpoint(args: &SpreadArgs, talk: Talk) -> Result<Option<Checkpoint>, CliError> {
-    let open = |path| Checkpoint::open(path, args.checkpoint_every, talk);
-    args.checkpoint.as_deref().map(open).transpose()
 }

@@ -9,6 +9,7 @@ mod parts;
 mod run;
 mod seal;
 
+pub use crate::medium::Medium;
 pub use checkpoint::Checkpoint;
 pub use parts::RunParts;
 pub use run::TraceRun;

@@ -1,6 +1,6 @@
 //! What some photons of a run have counted: one part per incidence.
 
-use super::{TraceRun, seal};
+use super::{Checkpoint, TraceRun, seal};
 use crate::output::{Data, Talk};
 use crate::{CliError, interrupt, pipeline, progress};
 use serde::{Deserialize, Serialize};
@@ -67,6 +67,23 @@ impl RunParts {
             bar.finish_and_clear();
         }
         Ok(())
+    }
+
+    /// As [`trace`](Self::trace); the checkpoint, where there is one, is kept up, and complete at the end.
+    ///
+    /// # Errors
+    /// As [`trace`](Self::trace).
+    pub fn trace_keeping(
+        &mut self,
+        jobs: &[TraceJob<'_>],
+        checkpoint: Option<Checkpoint>,
+        talk: Talk,
+    ) -> Result<(), CliError> {
+        let Some(mut checkpoint) = checkpoint else { return self.trace(jobs, talk, |_| ()) };
+        let _watch = interrupt::watch();
+        let traced = self.trace(jobs, talk, |snapshot| checkpoint.keep(snapshot));
+        checkpoint.keep_now(self);
+        traced
     }
 
     /// Whether every photon of its share is there.
