@@ -10,13 +10,17 @@
 //! the full medium; see the conventions in `stratiform_quantities`.
 
 mod control;
+mod dispatch;
 mod error;
+mod flock;
 mod half_space;
 mod kernels;
 mod lanes;
+mod launches;
 mod medium;
 mod plain;
 pub mod radiance;
+mod real;
 mod request;
 mod run;
 pub mod single;
@@ -26,8 +30,9 @@ mod traced;
 mod walk;
 
 pub use control::{Control, Progress};
+pub use dispatch::{Instructions, Kernel, Precision};
 pub use error::TransportError;
-pub use half_space::trace_half_space;
+pub use half_space::{trace_half_space, trace_half_space_with};
 pub use medium::TraceMedium;
 pub use plain::trace_plain;
 pub use request::{MAX_ROWS, PHOTONS, Stop, TraceRequest};
