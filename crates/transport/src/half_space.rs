@@ -52,7 +52,7 @@ pub(crate) struct HalfSpace<'a> {
 }
 
 impl<'a> HalfSpace<'a> {
-    fn new(kernel: Kernel, medium: &'a TraceMedium, request: &TraceRequest, tau: &[f64]) -> Self {
+    pub fn new(kernel: Kernel, medium: &'a TraceMedium, request: &TraceRequest, tau: &[f64]) -> Self {
         Self {
             kernel,
             medium,
@@ -67,8 +67,14 @@ impl<'a> HalfSpace<'a> {
 impl Estimator for HalfSpace<'_> {
     const NESTED: bool = true;
 
+    const TOGETHER: usize = 64;
+
     fn trace(&self, photons: Range<u64>, tally: &mut Tally, control: Control<'_>) {
-        dispatch(self.kernel, Job { half_space: self, photons, tally, control });
+        self.trace_all(&[photons], std::slice::from_mut(tally), control);
+    }
+
+    fn trace_all(&self, photons: &[Range<u64>], tallies: &mut [Tally], control: Control<'_>) {
+        dispatch(self.kernel, Job { half_space: self, photons, tallies, control });
     }
 }
 
