@@ -10,6 +10,7 @@ mod coefficients;
 pub mod document;
 mod domain;
 mod efficiencies;
+pub(crate) mod lanes;
 
 pub use amplitudes::{Amplitudes, amplitudes};
 pub use coefficients::{Coefficients, last_order};
