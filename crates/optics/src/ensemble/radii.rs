@@ -27,6 +27,7 @@ struct Knot {
 /// The nested radii of one distribution.
 pub(super) struct Radii<'a> {
     droplets: &'a SizeDistribution,
+    range: [f64; 2],
     knots: Vec<Knot>,
     cells: usize,
 }
@@ -37,7 +38,13 @@ impl<'a> Radii<'a> {
     const FIRST: usize = 128;
 
     pub(super) fn new(droplets: &'a SizeDistribution) -> Self {
-        Self { droplets, knots: knots(droplets), cells: Self::FIRST }
+        let range = droplets.scattering_range();
+        Self { droplets, range, knots: knots(droplets, range), cells: Self::FIRST }
+    }
+
+    /// The smallest and the largest radius.
+    pub(super) fn range(&self) -> [f64; 2] {
+        self.range
     }
 
     pub(super) fn count(&self) -> u64 {
@@ -80,8 +87,7 @@ fn hermite(a: Knot, b: Knot, u: f64) -> (f64, f64) {
     (a.r + t * (sa + t * (c2 + t * c3)), (sa + t * (2.0 * c2 + 3.0 * t * c3)) / width)
 }
 
-fn knots(droplets: &SizeDistribution) -> Vec<Knot> {
-    let [low, high] = droplets.scattering_range();
+fn knots(droplets: &SizeDistribution, [low, high]: [f64; 2]) -> Vec<Knot> {
     let ratio = libm::log(high / low) / KNOTS as f64;
     let radii: Vec<f64> = (0..=KNOTS).map(|i| low * libm::exp(ratio * i as f64)).collect();
     let matter: Vec<f64> = radii.iter().map(|r| (r * r * r * droplets.density(*r)).sqrt()).collect();
