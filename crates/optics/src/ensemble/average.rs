@@ -2,8 +2,7 @@
 
 use super::kernel::{self, Sphere};
 use super::radii::Node;
-use crate::mie::lanes::{LANES, LaneCoefficients};
-use crate::mie::{RefractiveIndex, SizeParameter};
+use crate::mie::{LANES, LaneCoefficients, RefractiveIndex, SizeParameter};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 

@@ -6,7 +6,7 @@
 //! [`LANES`] angles holds p for all orders while the spheres of a block pass. Sums run in a fixed order without fused
 //! multiply-add, so that every instruction set gives the same bits.
 
-use crate::mie::lanes::{LANES, LaneCoefficients, Lanes};
+use crate::mie::{LANES, LaneCoefficients, Lanes};
 
 /// Spheres that share a pass over the angles.
 pub(super) const BLOCK: usize = 32;

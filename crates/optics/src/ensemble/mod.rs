@@ -12,6 +12,7 @@ mod radii;
 mod tolerance;
 
 pub use angles::angle_grid;
+pub use radii::radius_rule;
 pub use tolerance::QuadratureTolerance;
 
 use crate::OpticsError;

@@ -5,7 +5,7 @@ use crate::mie::{Efficiencies, SizeParameter};
 
 impl LaneCoefficients {
     /// The efficiencies of the first lanes, whose spheres are `x`.
-    pub(crate) fn efficiencies(&self, x: &[SizeParameter]) -> Vec<Efficiencies> {
+    pub fn efficiencies(&self, x: &[SizeParameter]) -> Vec<Efficiencies> {
         let [extinction, scattering, asymmetry] = sums(&self.orders).map(|sum| sum.0);
         let of_lane = |(l, x): (usize, &SizeParameter)| {
             let per_area = 2.0 / (x.get() * x.get());

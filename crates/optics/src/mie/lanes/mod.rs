@@ -11,26 +11,26 @@ use super::coefficients::start_order;
 use super::{RefractiveIndex, SizeParameter, last_order};
 
 /// Spheres computed together.
-pub(crate) const LANES: usize = 16;
+pub const LANES: usize = 16;
 
 /// One number of every lane.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(crate) struct Lanes(pub(crate) [f64; LANES]);
+pub struct Lanes(pub [f64; LANES]);
 
 const ZERO: Lanes = Lanes([0.0; LANES]);
 
 /// a_n and b_n of up to [`LANES`] spheres, entry 0 holding n = 1.
-pub(crate) struct LaneCoefficients {
+pub struct LaneCoefficients {
     /// Parts of a_n and b_n: Re a, Im a, Re b, Im b.
-    pub(crate) orders: Vec<[Lanes; 4]>,
+    pub orders: Vec<[Lanes; 4]>,
     /// The last order of each lane.
-    pub(crate) last: [usize; LANES],
+    pub last: [usize; LANES],
 }
 
 impl LaneCoefficients {
     /// The coefficients of the spheres `x`, of which there are 1 to [`LANES`]; idle lanes repeat the last sphere.
-    pub(crate) fn new(x: &[SizeParameter], m: RefractiveIndex) -> Self {
+    pub fn new(x: &[SizeParameter], m: RefractiveIndex) -> Self {
         let sizes = Sizes::new(x);
         let most = sizes.last.iter().copied().max().unwrap_or(0);
         let mut tables = vec![Row::default(); most + 1];
