@@ -7,7 +7,9 @@
 
 use num_complex::Complex64;
 use scatrs::ensemble::EnsembleOptions;
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
+use std::ffi::OsString;
 use std::fmt::Write;
 use std::hint::black_box;
 use std::path::Path;
@@ -55,16 +57,21 @@ fn with_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> (Ta
     pool.install(|| {
         let (start, before) = (Instant::now(), processor_seconds());
         let result = work();
-        let processor = processor_seconds() - before;
+        let run = |(thread, after): (&OsString, &f64)| after - before.get(thread).unwrap_or(&0.0);
+        let processor = processor_seconds().iter().map(run).sum();
         (Taken { wall: start.elapsed().as_secs_f64(), processor }, result)
     })
 }
 
-/// Seconds that the threads now alive have run (Linux).
-fn processor_seconds() -> f64 {
+/// Seconds that each thread now alive has run (Linux).
+fn processor_seconds() -> BTreeMap<OsString, f64> {
     let threads = std::fs::read_dir("/proc/self/task").into_iter().flatten().flatten();
-    let texts = threads.filter_map(|thread| std::fs::read_to_string(thread.path().join("schedstat")).ok());
-    texts.filter_map(|text| text.split(' ').next()?.parse::<f64>().ok()).sum::<f64>() * 1e-9
+    let seconds = |text: String| Some(1e-9 * text.split(' ').next()?.parse::<f64>().ok()?);
+    let of_thread = |thread: std::fs::DirEntry| {
+        let text = std::fs::read_to_string(thread.path().join("schedstat")).ok()?;
+        Some((thread.file_name(), seconds(text)?))
+    };
+    threads.filter_map(of_thread).collect()
 }
 
 /// The least of `repeats` runs.
