@@ -121,8 +121,8 @@ fn lanes_against_one(droplets: &SizeDistribution, wavelength_um: f64) {
         }
     });
     let together = least_seconds(20, || {
-        for x in x.chunks(LANES) {
-            black_box(LaneCoefficients::new(x, m).efficiencies(x));
+        for x in x.as_chunks().0 {
+            black_box(LaneCoefficients::new(x, m).efficiencies());
         }
     });
     let per_sphere = 1e9 / x.len() as f64;

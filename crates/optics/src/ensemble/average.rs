@@ -43,10 +43,10 @@ impl Average {
         let nodes: Vec<_> = block.iter().filter_map(checked).collect();
         let mut spheres = Vec::with_capacity(nodes.len());
         for lanes in nodes.chunks(LANES) {
-            let x: Vec<SizeParameter> = lanes.iter().map(|node| node.0).collect();
+            let x = std::array::from_fn(|l| lanes[l.min(lanes.len() - 1)].0);
             let weights: Vec<f64> = lanes.iter().map(|node| node.2).collect();
             let coefficients = LaneCoefficients::new(&x, index);
-            for ((_, radius, weight), q) in lanes.iter().zip(coefficients.efficiencies(&x)) {
+            for ((_, radius, weight), q) in lanes.iter().zip(coefficients.efficiencies()) {
                 let area = weight * PI * radius * radius;
                 sum.extinction += area * q.q_ext;
                 sum.scattering += area * q.q_sca;

@@ -1,21 +1,20 @@
 //! Q_ext, Q_sca and g of every lane: the sums of [`efficiencies`](crate::mie::efficiencies()), in their order.
 
 use super::{LANES, LaneCoefficients, Lanes, ZERO};
-use crate::mie::{Efficiencies, SizeParameter};
+use crate::mie::Efficiencies;
 
 impl LaneCoefficients {
-    /// The efficiencies of the first lanes, whose spheres are `x`.
-    pub fn efficiencies(&self, x: &[SizeParameter]) -> Vec<Efficiencies> {
+    /// The efficiencies of every lane.
+    pub fn efficiencies(&self) -> [Efficiencies; LANES] {
         let [extinction, scattering, asymmetry] = sums(&self.orders).map(|sum| sum.0);
-        let of_lane = |(l, x): (usize, &SizeParameter)| {
-            let per_area = 2.0 / (x.get() * x.get());
+        std::array::from_fn(|l| {
+            let per_area = 2.0 / (self.x[l] * self.x[l]);
             Efficiencies {
                 q_ext: per_area * extinction[l],
                 q_sca: per_area * scattering[l],
                 g: 2.0 * asymmetry[l] / scattering[l],
             }
-        };
-        x.iter().enumerate().map(of_lane).collect()
+        })
     }
 }
 

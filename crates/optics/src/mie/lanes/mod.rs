@@ -20,17 +20,18 @@ pub struct Lanes(pub [f64; LANES]);
 
 const ZERO: Lanes = Lanes([0.0; LANES]);
 
-/// a_n and b_n of up to [`LANES`] spheres, entry 0 holding n = 1.
+/// a_n and b_n of [`LANES`] spheres, entry 0 holding n = 1.
 pub struct LaneCoefficients {
     /// Parts of a_n and b_n: Re a, Im a, Re b, Im b.
     pub orders: Vec<[Lanes; 4]>,
     /// The last order of each lane.
     pub last: [usize; LANES],
+    x: [f64; LANES],
 }
 
 impl LaneCoefficients {
-    /// The coefficients of the spheres `x`, of which there are 1 to [`LANES`]; idle lanes repeat the last sphere.
-    pub fn new(x: &[SizeParameter], m: RefractiveIndex) -> Self {
+    /// The coefficients of the spheres `x`; a caller with fewer spheres repeats one.
+    pub fn new(x: &[SizeParameter; LANES], m: RefractiveIndex) -> Self {
         let sizes = Sizes::new(x);
         let most = sizes.last.iter().copied().max().unwrap_or(0);
         let mut tables = vec![Row::default(); most + 1];
@@ -39,7 +40,7 @@ impl LaneCoefficients {
         recurrences::riccati_bessel(&sizes, &mut tables);
         let mut orders = vec![[ZERO; 4]; most];
         recurrences::coefficients(&sizes, m.get(), &tables, &mut orders);
-        Self { orders, last: sizes.last }
+        Self { orders, last: sizes.last, x: sizes.x }
     }
 }
 
@@ -50,8 +51,8 @@ struct Sizes {
 }
 
 impl Sizes {
-    fn new(x: &[SizeParameter]) -> Self {
-        let x = std::array::from_fn(|l| x[l.min(x.len() - 1)].get());
+    fn new(x: &[SizeParameter; LANES]) -> Self {
+        let x = x.map(SizeParameter::get);
         Self { x, last: x.map(last_order) }
     }
 
@@ -86,15 +87,11 @@ mod tests {
     fn equals_scalar(x: &[f64], n: f64, k: f64) {
         let sizes: Vec<SizeParameter> = x.iter().map(|&x| SizeParameter::new(x).unwrap()).collect();
         let m = RefractiveIndex::new(n, k).unwrap();
-        let together = LaneCoefficients::new(&sizes, m);
+        let together = LaneCoefficients::new(&std::array::from_fn(|l| sizes[l.min(sizes.len() - 1)]), m);
         for (l, &x) in sizes.iter().enumerate() {
             let alone = Coefficients::new(x, m);
             assert_eq!(together.last[l], alone.a.len());
-            assert_eq!(
-                together.efficiencies(&sizes)[l],
-                efficiencies(x, &alone),
-                "x = {x:?}, m = {n} + {k}i"
-            );
+            assert_eq!(together.efficiencies()[l], efficiencies(x, &alone), "x = {x:?}, m = {n} + {k}i");
             for (i, parts) in together.orders.iter().enumerate() {
                 let found = parts.map(|part| part.0[l].to_bits());
                 let (a, b) = alone.a.get(i).copied().zip(alone.b.get(i).copied()).unwrap_or_default();
