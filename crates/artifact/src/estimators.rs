@@ -16,7 +16,7 @@ pub struct EstimatorErrorRow {
     pub mu0: f64,
     /// Histories of a run.
     pub photons: u64,
-    /// Wall time of the fastest run, all thicknesses together.
+    /// Wall time of a run, all thicknesses together: mean flights times the least time per flight of any run.
     pub seconds: f64,
     /// Root mean square over runs of the difference from the solver.
     pub error: f64,

@@ -38,7 +38,7 @@ fn figure(rows: &[EstimatorErrorRow]) -> Figure {
             height: 330.0,
             panels: vec![
                 panel(&title, "photons", &rows, &styles, |row| row.photons as f64),
-                panel("against time", "seconds of a run", &rows, &styles, |row| row.seconds),
+                panel("the same against time", "seconds of a run", &rows, &styles, |row| row.seconds),
             ],
         }
     });
@@ -81,23 +81,23 @@ fn panel(
         Series { style: *style, points: points.map(|row| Point::new(effort(row), row.error)).collect() }
     });
     let curves: Vec<Series> = curves.collect();
-    let all = || curves.iter().flat_map(|curve| &curve.points);
-    let (x, y) = (Scale::logarithmic(all().map(|p| p.x)), Scale::logarithmic(all().map(|p| p.y)));
     let series: Vec<Series> =
         curves.first().and_then(slope).into_iter().chain(curves.iter().cloned()).collect();
+    let all = || series.iter().flat_map(|series| &series.points);
+    let (x, y) = (Scale::logarithmic(all().map(|p| p.x)), Scale::logarithmic(all().map(|p| p.y)));
     Panel {
         title: title.to_owned(),
         x: Axis::new(label, x),
-        y: Axis::new("rms error", y),
+        y: Axis::new("rms error of the reflectance", y),
         series,
         marks: Vec::new(),
     }
 }
 
-/// Slope -1/2 from a curve's first point to the effort of its last, at twice the error, beside the data.
+/// Slope -1/2 from a curve's first point to the effort of its last, beside the data, at 2.5 times the error.
 fn slope(curve: &Series) -> Option<Series> {
     let (first, last) = (curve.points.first()?, curve.points.last()?);
     let fall = (first.x / last.x).sqrt();
-    let points = vec![Point::new(first.x, 2.0 * first.y), Point::new(last.x, 2.0 * first.y * fall)];
+    let points = vec![Point::new(first.x, 2.5 * first.y), Point::new(last.x, 2.5 * first.y * fall)];
     Some(Series { style: SLOPE, points })
 }

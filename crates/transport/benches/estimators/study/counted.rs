@@ -10,7 +10,7 @@ pub fn analog(job: &Job<'_>, photons: Range<u64>) -> Scores {
     let mut scores = Scores::new(job.bottoms.len());
     for index in photons {
         for (slab, &bottom) in job.bottoms.iter().enumerate() {
-            let mut words = Words::new(photon_stream(job.key, index | (slab as u64) << 48), &[]);
+            let mut words = Words::new(photon_stream(job.key, index | (slab as u64 + 1) << 48), &[]);
             scores.flights += 1 + through_one(job, (slab, bottom), &mut words, &mut scores);
         }
     }

@@ -66,3 +66,8 @@ pub fn replicate(
     let flights_per_photon = flights as f64 / (photons * replicates) as f64;
     (rows, Work { flights_per_photon, seconds_per_flight })
 }
+
+/// To three digits: more are not known of what was sampled or timed.
+pub fn rounded(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap()
+}

@@ -1,8 +1,8 @@
 //! Figures of merit against analog, by row and for a whole run.
 
-use super::measure::{Measured, measure};
+use super::measure::{Measured, measure, rounded};
 use super::scores::NAMES;
-use super::truth::{ROUNDING, is_common, largest, solve, z_scores};
+use super::truth::{ROUNDING, is_common, largest, solve, solved, z_scores};
 use super::{ALL, Estimator, Job};
 use serde::Serialize;
 use stratiform_stats::{Estimate, Purpose, key};
@@ -109,7 +109,7 @@ impl<'a> Study<'a> {
             mu0: self.case.mu0,
             tau,
             quantity,
-            solved: p,
+            solved: solved(p),
             half_space,
             expected_values,
             sequence_1_word,
@@ -153,9 +153,4 @@ fn cost(measured: &Measured) -> f64 {
 fn worst(measured: &Measured) -> (usize, f64) {
     let rows = measured.variance.iter().copied().enumerate();
     rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst })
-}
-
-/// To three digits: more are not known.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap()
 }

@@ -6,7 +6,8 @@
 //! give the mean over a bin, not the albedo at an angle.
 
 use super::history::{Photon, Words, xi};
-use super::truth::largest;
+use super::measure::rounded;
+use super::truth::{self, largest};
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 use stratiform_quantities::Incidence;
@@ -118,12 +119,12 @@ pub fn compare(phase: &str, medium: &TraceMedium, tau: f64, photons: u64, replic
             phase: phase.to_owned(),
             tau,
             theta_from_deg: (k as f64 * WIDTH).to_degrees().round(),
-            solved: truth[k].0.value,
-            mean_less_middle: truth[k].0.value - truth[k].1,
-            variance: square(0) * (photons * replicates) as f64,
-            merit_exit: square(0) / square(1),
-            merit_both: square(0) / square(2),
-            largest_z: largest(&found.map(|found| z_score(found, truth[k].0))),
+            solved: truth::solved(truth[k].0.value),
+            mean_less_middle: rounded(truth[k].0.value - truth[k].1),
+            variance: rounded(square(0) * (photons * replicates) as f64),
+            merit_exit: rounded(square(0) / square(1)),
+            merit_both: rounded(square(0) / square(2)),
+            largest_z: rounded(largest(&found.map(|found| z_score(found, truth[k].0)))),
         }
     };
     (0..BINS).map(row).collect()

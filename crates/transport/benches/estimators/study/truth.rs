@@ -43,3 +43,8 @@ pub fn z_scores(measured: &Measured, truth: &[Estimate]) -> Vec<f64> {
 pub fn largest(z: &[f64]) -> f64 {
     z.iter().fold(0.0, |worst: f64, z| worst.max(z.abs()))
 }
+
+/// As it is listed: to six decimals, the solver's tolerance.
+pub fn solved(value: f64) -> f64 {
+    format!("{value:.6}").parse().unwrap()
+}
