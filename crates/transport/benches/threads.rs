@@ -2,9 +2,10 @@
 //! `cargo bench -p stratiform-transport --bench threads [-- ROUNDS]`. Prints figures, asserts nothing.
 //!
 //! HG 0.85, τ = 16, light from the zenith. Each round times every number of threads once, one after the other; beside it a loop
-//! of random numbers that shares nothing. A thread that is ready but must wait for a processor, because the machine has other
-//! work, costs time that says nothing of the program: Linux counts such waits, and their mean over the threads is
-//! taken off. What threads wait for each other stays in.
+//! of random numbers that shares nothing, which tells what the machine had to give. Two rates are printed: on the wall, and with
+//! the time taken off that threads were ready and waited for a processor (mean over the threads; Linux counts it), because
+//! the machine had other work. What threads wait for each other stays in. The second says nothing of what threads on
+//! two processors do to each other where they seldom ran at once: then the wall's best ratio is low.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark stops where it fails and prints")]
 
@@ -28,7 +29,14 @@ const PIECES: u64 = 256;
 struct Scaling {
     unit: &'static str,
     work: fn(&TraceMedium) -> f64,
-    rates: Vec<Vec<f64>>,
+    rates: Vec<Vec<Rates>>,
+}
+
+/// Work per second.
+struct Rates {
+    wall: f64,
+    /// Without waits for a processor.
+    given: f64,
 }
 
 fn main() {
@@ -38,8 +46,16 @@ fn main() {
     let medium = TraceMedium::full(phase, SingleScatteringAlbedo::CONSERVATIVE);
     let pools = pools();
     let mut scalings = [
-        Scaling { unit: "scattering events", work: scatterings, rates: vec![Vec::new(); pools.len()] },
-        Scaling { unit: "random numbers", work: random_numbers, rates: vec![Vec::new(); pools.len()] },
+        Scaling {
+            unit: "scattering events",
+            work: scatterings,
+            rates: pools.iter().map(|_| Vec::new()).collect(),
+        },
+        Scaling {
+            unit: "random numbers",
+            work: random_numbers,
+            rates: pools.iter().map(|_| Vec::new()).collect(),
+        },
     ];
     for _ in 0..rounds {
         for scaling in &mut scalings {
@@ -52,12 +68,13 @@ fn main() {
     memory(&medium);
 }
 
-/// What `work` says it did, by the seconds for which the threads of this pool had a processor or nothing to do.
-fn rate(work: impl FnOnce() -> f64) -> f64 {
+/// What `work` says it did, per second.
+fn rate(work: impl FnOnce() -> f64) -> Rates {
     let (start, waits) = (Instant::now(), waited());
     let done = work();
+    let wall = start.elapsed().as_secs_f64();
     let waits = (waited() - waits) / rayon::current_num_threads() as f64;
-    done / (start.elapsed().as_secs_f64() - waits)
+    Rates { wall: done / wall, given: done / (wall - waits) }
 }
 
 /// Seconds that the threads of this pool were ready to run and did not; 0 where the system does not tell.
@@ -102,35 +119,31 @@ fn random_numbers(_: &TraceMedium) -> f64 {
 
 impl Scaling {
     fn print(&self, pools: &[ThreadPool]) {
-        println!("{}, millions per second", self.unit);
-        println!(
-            "{:>8}{:>10}{:>10}{:>18}{:>10}",
-            "threads", "median", "best", "ratio of medians", "of bests"
-        );
-        let single = &self.rates[0];
+        println!("{}, millions per second: median, best and their ratios to one thread", self.unit);
+        println!("{:>8}{:>36}{:>36}", "threads", "on the wall", "without waits for a processor");
+        let views: [fn(&Rates) -> f64; 2] = [|rates| rates.wall, |rates| rates.given];
         for (pool, rates) in pools.iter().zip(&self.rates) {
-            let (median, best) = (median(rates), best(rates));
-            let ratios = [median / self::median(single), best / self::best(single)];
-            println!(
-                "{:>8}{:>10.1}{:>10.1}{:>18.3}{:>10.3}",
-                pool.current_num_threads(),
-                median * 1e-6,
-                best * 1e-6,
-                ratios[0],
-                ratios[1]
-            );
+            print!("{:>8}", pool.current_num_threads());
+            for view in views {
+                let ([median, best], single) =
+                    (median_and_best(rates, view), median_and_best(&self.rates[0], view));
+                print!(
+                    "{:>10.1}{:>9.1}{:>9.3}{:>8.3}",
+                    median * 1e-6,
+                    best * 1e-6,
+                    median / single[0],
+                    best / single[1]
+                );
+            }
+            println!();
         }
     }
 }
 
-fn best(rates: &[f64]) -> f64 {
-    rates.iter().copied().fold(0.0, f64::max)
-}
-
-fn median(rates: &[f64]) -> f64 {
-    let mut ascending = rates.to_vec();
+fn median_and_best(rates: &[Rates], view: fn(&Rates) -> f64) -> [f64; 2] {
+    let mut ascending: Vec<f64> = rates.iter().map(view).collect();
     ascending.sort_by(f64::total_cmp);
-    ascending.get(rates.len() / 2).copied().unwrap_or(f64::NAN)
+    [ascending[rates.len() / 2], ascending[rates.len() - 1]]
 }
 
 /// The most memory that the process has held after ever more photons.
