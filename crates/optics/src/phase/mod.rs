@@ -4,6 +4,7 @@ mod cell;
 mod draine;
 mod expand;
 pub(crate) mod gauss;
+mod guide;
 mod halo;
 mod henyey_greenstein;
 mod isotropic;

@@ -5,6 +5,7 @@
 //! form of [`cell`](super::cell), its inversion exact to rounding.
 
 use super::cell::Cell;
+use super::guide::Guide;
 use super::{PhaseFunction, angle, legendre, versine};
 use crate::OpticsError;
 use stratiform_quantities::Range;
@@ -20,6 +21,10 @@ pub struct PhaseTable {
     p: Vec<f64>,
     /// ½∫P sinΘ dΘ up to each node; the last is 1.
     cumulative: Vec<f64>,
+    /// dP/dΘ to the right of each node but the last; 0 at a jump.
+    slopes: Vec<f64>,
+    /// Where the cells of an angle and of a probability are.
+    guides: [Guide; 2],
 }
 
 /// What to do with a table whose norm is not 1 to 1e-3.
@@ -44,17 +49,21 @@ impl PhaseTable {
             None => OpticsError::Table(message),
         })?;
         let theta: Vec<f64> = theta_deg.iter().map(|t| t.to_radians()).collect();
-        let mut table = Self { cumulative: vec![0.0; theta.len()], theta_deg, theta, p };
+        let guides = [Guide::new(&theta), Guide::new(&theta)];
+        let (cumulative, slopes) = (vec![0.0; theta.len()], Vec::new());
+        let mut table = Self { theta_deg, theta, p, cumulative, slopes, guides };
         let integral = table.accumulate();
         if !(integral.is_finite() && integral > 0.0) || (norm == Norm::Strict && !NORM.contains(integral)) {
             return Err(OpticsError::NotNormalised { norm: integral });
         }
         table.divide_by(integral);
+        table.guides[1] = Guide::new(&table.cumulative);
         Ok(table)
     }
 
-    /// Fills the cumulative with the partial integrals and returns the last.
+    /// Fills the slopes, and the cumulative with the partial integrals, and returns the last.
     fn accumulate(&mut self) -> f64 {
+        self.slopes = (0..self.theta.len() - 1).map(|i| self.slope(i)).collect();
         let mut sum = 0.0;
         for i in 1..self.theta.len() {
             sum += 0.5 * self.cell(i - 1).integral(self.width(i - 1));
@@ -103,7 +112,7 @@ impl PhaseTable {
     /// The Θ in radians below which the probability is `xi`.
     pub fn invert_theta(&self, xi: f64) -> f64 {
         let last = self.theta.len() - 2;
-        let i = self.cumulative.partition_point(|&f| f <= xi).saturating_sub(1).min(last);
+        let i = self.guides[1].place(&self.cumulative, xi).min(last);
         self.theta[i] + self.cell(i).invert(2.0 * (xi - self.cumulative[i]).max(0.0), self.width(i))
     }
 
@@ -114,17 +123,20 @@ impl PhaseTable {
     /// The index of the cell that holds `theta`; at a node, the cell to its right.
     fn cell_of(&self, theta: f64) -> usize {
         let last = self.theta.len() - 2;
-        let mut i = self.theta.partition_point(|&node| node <= theta).saturating_sub(1).min(last);
+        let mut i = self.guides[0].place(&self.theta, theta).min(last);
         while i > 0 && self.width(i) == 0.0 {
             i -= 1;
         }
         i
     }
 
-    fn cell(&self, i: usize) -> Cell {
+    fn slope(&self, i: usize) -> f64 {
         let width = self.width(i);
-        let slope = if width > 0.0 { (self.p[i + 1] - self.p[i]) / width } else { 0.0 };
-        Cell { start: self.theta[i], value: self.p[i], slope }
+        if width > 0.0 { (self.p[i + 1] - self.p[i]) / width } else { 0.0 }
+    }
+
+    fn cell(&self, i: usize) -> Cell {
+        Cell { start: self.theta[i], value: self.p[i], slope: self.slopes[i] }
     }
 
     pub(super) fn cells(&self) -> impl Iterator<Item = (Cell, f64)> {
