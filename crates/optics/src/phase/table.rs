@@ -6,7 +6,7 @@
 
 use super::cell::Cell;
 use super::guide::Guide;
-use super::{PhaseFunction, angle, legendre, versine};
+use super::{PhaseFunction, angle, angles::angles, legendre, versine};
 use crate::OpticsError;
 use stratiform_quantities::Range;
 
@@ -21,8 +21,8 @@ pub struct PhaseTable {
     p: Vec<f64>,
     /// ½∫P sinΘ dΘ up to each node; the last is 1.
     cumulative: Vec<f64>,
-    /// dP/dΘ to the right of each node but the last; 0 at a jump.
-    slopes: Vec<f64>,
+    /// To the right of each node but the last; flat at a jump.
+    pieces: Vec<Cell>,
     /// Where the cells of an angle and of a probability are.
     guides: [Guide; 2],
 }
@@ -50,8 +50,8 @@ impl PhaseTable {
         })?;
         let theta: Vec<f64> = theta_deg.iter().map(|t| t.to_radians()).collect();
         let guides = [Guide::new(&theta), Guide::new(&theta)];
-        let (cumulative, slopes) = (vec![0.0; theta.len()], Vec::new());
-        let mut table = Self { theta_deg, theta, p, cumulative, slopes, guides };
+        let (cumulative, pieces) = (vec![0.0; theta.len()], Vec::new());
+        let mut table = Self { theta_deg, theta, p, cumulative, pieces, guides };
         let integral = table.accumulate();
         if !(integral.is_finite() && integral > 0.0) || (norm == Norm::Strict && !NORM.contains(integral)) {
             return Err(OpticsError::NotNormalised { norm: integral });
@@ -61,9 +61,9 @@ impl PhaseTable {
         Ok(table)
     }
 
-    /// Fills the slopes, and the cumulative with the partial integrals, and returns the last.
+    /// Fills the pieces, and the cumulative with the partial integrals, and returns the last.
     fn accumulate(&mut self) -> f64 {
-        self.slopes = (0..self.theta.len() - 1).map(|i| self.slope(i)).collect();
+        self.pieces = (0..self.theta.len() - 1).map(|i| self.piece(i)).collect();
         let mut sum = 0.0;
         for i in 1..self.theta.len() {
             sum += 0.5 * self.cell(i - 1).integral(self.width(i - 1));
@@ -124,19 +124,21 @@ impl PhaseTable {
     fn cell_of(&self, theta: f64) -> usize {
         let last = self.theta.len() - 2;
         let mut i = self.guides[0].place(&self.theta, theta).min(last);
-        while i > 0 && self.width(i) == 0.0 {
+        // Only the last node can have a jump to its right and hold the angle.
+        while i == last && i > 0 && self.width(i) == 0.0 {
             i -= 1;
         }
         i
     }
 
-    fn slope(&self, i: usize) -> f64 {
+    fn piece(&self, i: usize) -> Cell {
         let width = self.width(i);
-        if width > 0.0 { (self.p[i + 1] - self.p[i]) / width } else { 0.0 }
+        let slope = if width > 0.0 { (self.p[i + 1] - self.p[i]) / width } else { 0.0 };
+        Cell { start: self.theta[i], value: self.p[i], slope }
     }
 
     fn cell(&self, i: usize) -> Cell {
-        Cell { start: self.theta[i], value: self.p[i], slope: self.slopes[i] }
+        self.pieces[i]
     }
 
     pub(super) fn cells(&self) -> impl Iterator<Item = (Cell, f64)> {
@@ -173,6 +175,11 @@ pub(super) fn check(theta_deg: &[f64], p: &[f64]) -> Result<(), (Option<usize>, 
 impl PhaseFunction for PhaseTable {
     fn value(&self, v: f64) -> f64 {
         self.at(angle(v))
+    }
+
+    fn values_at(&self, v: &mut [f64]) {
+        angles(v);
+        v.iter_mut().for_each(|theta| *theta = self.at(*theta));
     }
 
     fn cumulative(&self, v: f64) -> f64 {
