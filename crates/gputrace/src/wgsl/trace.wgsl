@@ -1,0 +1,163 @@
+// The half-space tracer: each invocation carries one photon, and takes the next of the queue when it has ended.
+// One turn of the loop is one flight, and the collision or launch before it. Whenever a loop stops, the photon is whole.
+
+struct Settings {
+    key: vec2<u32>,
+    // Index of the queue's first photon, which begins a round.
+    first: vec2<u32>,
+    // Photons in the queue.
+    count: u32,
+    // The queue's last round, and its photons.
+    last_round: u32,
+    last_length: u32,
+    thicknesses: u32,
+    bins: u32,
+    absorbing: u32,
+    absorbs_from: u32,
+    diffuse: u32,
+    mu: f32,
+    steps: u32,
+}
+
+struct Photon {
+    stream: Stream,
+    mu: f32,
+    depth: f32,
+    // The first slab that it has not passed.
+    slab: u32,
+    order: u32,
+    batch: u32,
+    in_flight: u32,
+}
+
+struct Ledger {
+    // Photons asked of the queue.
+    asked: atomic<u32>,
+    launched: atomic<u32>,
+    reflected: atomic<u32>,
+    transmitted: atomic<u32>,
+    absorbed: atomic<u32>,
+    // More in flight than before, modulo 2³².
+    in_flight: atomic<u32>,
+}
+
+@group(0) @binding(0) var<uniform> settings: Settings;
+@group(0) @binding(1) var<storage, read> bottoms: array<f32>;
+@group(0) @binding(2) var<storage, read> table: array<vec4<f32>>;
+@group(0) @binding(3) var<storage, read_write> photons: array<Photon>;
+@group(0) @binding(4) var<storage, read_write> ledger: Ledger;
+// By batch, slab and order bin.
+@group(0) @binding(5) var<storage, read_write> reflected: array<atomic<u32>>;
+@group(0) @binding(6) var<storage, read_write> transmitted: array<atomic<u32>>;
+// By batch and slab: absorbed photons.
+@group(0) @binding(7) var<storage, read_write> absorbed: array<atomic<u32>>;
+// By batch and slab: scatterings of photons that turned, and of photons that passed, each as low and high word.
+@group(0) @binding(8) var<storage, read_write> scatterings: array<atomic<u32>>;
+
+const LOG_ROUND: u32 = 20u;
+const BATCHES: u32 = 256u;
+
+// The batch of the queue's photon `number`.
+fn batch_of(number: u32) -> u32 {
+    let round = number >> LOG_ROUND;
+    let place = number & ((1u << LOG_ROUND) - 1u);
+    let length = select(1u << LOG_ROUND, settings.last_length, round == settings.last_round);
+    return (BATCHES * (place + 1u) - 1u) / length;
+}
+
+fn launched(number: u32) -> Photon {
+    var photon: Photon;
+    photon.stream = photon_stream(settings.key, add64(settings.first, vec2<u32>(number, 0u)));
+    photon.mu = settings.mu;
+    if (settings.diffuse == 1u) {
+        photon.mu = sqrt(uniform_of(draw(&photon.stream)));
+    }
+    photon.batch = batch_of(number);
+    photon.in_flight = 1u;
+    return photon;
+}
+
+fn row(photon: Photon) -> u32 {
+    return photon.batch * settings.thicknesses + photon.slab;
+}
+
+fn cell(photon: Photon) -> u32 {
+    return row(photon) * settings.bins + min(photon.order, settings.bins - 1u);
+}
+
+// Adds to a sum of two words.
+fn add_scatterings(sum: u32, order: u32) {
+    let before = atomicAdd(&scatterings[2u * sum], order);
+    if (before + order < before) {
+        atomicAdd(&scatterings[2u * sum + 1u], 1u);
+    }
+}
+
+fn count_pass(photon: Photon) {
+    atomicAdd(&transmitted[cell(photon)], 1u);
+    add_scatterings(2u * row(photon) + 1u, photon.order);
+}
+
+fn count_return(photon: Photon) {
+    atomicAdd(&reflected[cell(photon)], 1u);
+    add_scatterings(2u * row(photon), photon.order);
+}
+
+fn count_absorption(photon: Photon) {
+    atomicAdd(&absorbed[row(photon)], 1u);
+    add_scatterings(2u * row(photon), photon.order);
+}
+
+@compute @workgroup_size(64)
+fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
+    var photon = photons[id.x];
+    let before = photon.in_flight;
+    var bottom = bottoms[photon.slab];
+    // Photons launched, reflected, transmitted, absorbed.
+    var books = vec4<u32>(0u);
+    for (var step = 0u; step < settings.steps; step++) {
+        while (photon.in_flight == 1u && photon.depth >= bottom) {
+            count_pass(photon);
+            photon.slab += 1u;
+            bottom = bottoms[photon.slab];
+            if (photon.slab == settings.thicknesses) {
+                photon.in_flight = 0u;
+                books.z += 1u;
+            }
+        }
+        if (photon.in_flight == 1u && photon.depth < 0.0) {
+            count_return(photon);
+            photon.in_flight = 0u;
+            books.y += 1u;
+        }
+        if (photon.in_flight == 0u) {
+            let number = atomicAdd(&ledger.asked, 1u);
+            if (number >= settings.count) {
+                break;
+            }
+            photon = launched(number);
+            bottom = bottoms[0];
+            books.x += 1u;
+        } else if (photon.depth < bottom) {
+            if (settings.absorbing == 1u && draw(&photon.stream) >= settings.absorbs_from) {
+                count_absorption(photon);
+                photon.in_flight = 0u;
+                books.w += 1u;
+                continue;
+            }
+            let v = scattering(draw(&photon.stream));
+            photon.mu = turned(photon.mu, v, cos_azimuth(draw(&photon.stream)));
+            photon.order += 1u;
+        } else {
+            // The driver stopped the loop over the slabs.
+            continue;
+        }
+        photon.depth += photon.mu * exponential(draw(&photon.stream));
+    }
+    photons[id.x] = photon;
+    atomicAdd(&ledger.launched, books.x);
+    atomicAdd(&ledger.reflected, books.y);
+    atomicAdd(&ledger.transmitted, books.z);
+    atomicAdd(&ledger.absorbed, books.w);
+    atomicAdd(&ledger.in_flight, photon.in_flight - before);
+}
