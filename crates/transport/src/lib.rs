@@ -19,6 +19,7 @@ mod plain;
 pub mod radiance;
 mod request;
 mod run;
+pub mod single;
 pub mod solve;
 mod tally;
 mod traced;
