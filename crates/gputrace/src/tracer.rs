@@ -46,7 +46,7 @@ impl Tracer {
             settings,
             uniform: gpu.upload(bytemuck::bytes_of(&settings))?,
             bottoms: gpu.upload(bytemuck::cast_slice(&bottoms))?,
-            table: gpu.upload(bytemuck::cast_slice(&table::intervals(medium.table())))?,
+            table: gpu.upload(bytemuck::cast_slice(&table::pieces(medium.table().phase().as_ref())))?,
             ledger: gpu.zeroed(4 * LEDGER)?,
             lanes: Lanes::new(gpu, photons)?,
             tallies: Tallies::new(gpu, tau.len(), settings.bins as usize)?,

@@ -4,6 +4,7 @@
 
 #[path = "../../gpu/tests/device/mod.rs"]
 mod device;
+mod twin;
 
 use device::device;
 use std::sync::Arc;
@@ -29,32 +30,16 @@ fn counts_are_those_of_the_cpu() {
             let stop = Stop::Photons(300_000);
             let request = TraceRequest { tau, incidence, stop, max_order: 20, seed: 5, stream: 2 };
             let t = std::time::Instant::now();
-            let cpu = trace_half_space(&medium, &request, Control::default()).unwrap();
+            let cpu = twin::trace(&medium, &request, 300_000);
             let tc = t.elapsed();
             let t = std::time::Instant::now();
             let device = trace_on_gpu(&gpu, &medium, &request, Control::default()).unwrap();
             let tg = t.elapsed();
-            let (mut worst, mut sum) = (0, 0);
-            let bins = 22;
-            let mut reflected = sums(&device, |b| &b.reflected);
-            for k in bins..reflected.len() {
-                reflected[k] += reflected[k - bins];
-            }
-            let transmitted = sums(&device, |b| &b.transmitted);
-            for slab in 0..6 {
-                for bin in 0..bins {
-                    let order = if bin < 21 { Order::Exactly(bin as u32) } else { Order::Tail };
-                    for (q, d) in [
-                        (Quantity::Reflectance(order), reflected[slab * bins + bin]),
-                        (Quantity::Transmittance(order), transmitted[slab * bins + bin]),
-                    ] {
-                        let diff = cpu.hits(slab, q).abs_diff(d);
-                        worst = worst.max(diff);
-                        sum += diff;
-                    }
-                }
-            }
-            println!("{omega} {incidence}: worst {worst} sum {sum}, {tc:?} {tg:?}");
+            let diff = |f: fn(&BatchCounts) -> &[u64]| -> u64 {
+                cpu.iter().zip(&device).map(|(a, b)| f(a).iter().zip(f(b)).map(|(a, b)| a.abs_diff(*b)).sum::<u64>()).sum()
+            };
+            let d = [diff(|b| &b.reflected), diff(|b| &b.transmitted), diff(|b| &b.absorbed), diff(|b| &b.turned), diff(|b| &b.passed)];
+            println!("{omega} {incidence}: {d:?}, {tc:?} {tg:?}");
         }
     }
 }

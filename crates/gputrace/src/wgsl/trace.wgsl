@@ -43,7 +43,7 @@ struct Ledger {
 
 @group(0) @binding(0) var<uniform> settings: Settings;
 @group(0) @binding(1) var<storage, read> bottoms: array<f32>;
-@group(0) @binding(2) var<storage, read> table: array<vec4<f32>>;
+@group(0) @binding(2) var<storage, read> table: array<vec2<f32>>;
 @group(0) @binding(3) var<storage, read_write> photons: array<Photon>;
 @group(0) @binding(4) var<storage, read_write> ledger: Ledger;
 // By batch, slab and order bin.
@@ -66,12 +66,13 @@ fn batch_of(number: u32) -> u32 {
 }
 
 fn launched(number: u32) -> Photon {
+    var stream = photon_stream(settings.key, add64(settings.first, vec2<u32>(number, 0u)));
     var photon: Photon;
-    photon.stream = photon_stream(settings.key, add64(settings.first, vec2<u32>(number, 0u)));
     photon.mu = settings.mu;
     if (settings.diffuse == 1u) {
-        photon.mu = sqrt(uniform_of(draw(&photon.stream)));
+        photon.mu = diffuse_cosine(draw(&stream));
     }
+    photon.stream = stream;
     photon.batch = batch_of(number);
     photon.in_flight = 1u;
     return photon;
@@ -111,6 +112,7 @@ fn count_absorption(photon: Photon) {
 @compute @workgroup_size(64)
 fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
     var photon = photons[id.x];
+    var stream = photon.stream;
     let before = photon.in_flight;
     var bottom = bottoms[photon.slab];
     // Photons launched, reflected, transmitted, absorbed.
@@ -136,24 +138,26 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
                 break;
             }
             photon = launched(number);
+            stream = photon.stream;
             bottom = bottoms[0];
             books.x += 1u;
         } else if (photon.depth < bottom) {
-            if (settings.absorbing == 1u && draw(&photon.stream) >= settings.absorbs_from) {
+            if (settings.absorbing == 1u && draw(&stream) >= settings.absorbs_from) {
                 count_absorption(photon);
                 photon.in_flight = 0u;
                 books.w += 1u;
                 continue;
             }
-            let v = scattering(draw(&photon.stream));
-            photon.mu = turned(photon.mu, v, cos_azimuth(draw(&photon.stream)));
+            let v = sampled(draw(&stream));
+            photon.mu = scattered(photon.mu, v, azimuth_cosine(draw(&stream)));
             photon.order += 1u;
         } else {
             // The driver stopped the loop over the slabs.
             continue;
         }
-        photon.depth += photon.mu * exponential(draw(&photon.stream));
+        photon.depth += photon.mu * optical_path(draw(&stream));
     }
+    photon.stream = stream;
     photons[id.x] = photon;
     atomicAdd(&ledger.launched, books.x);
     atomicAdd(&ledger.reflected, books.y);
