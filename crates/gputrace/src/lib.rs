@@ -10,16 +10,16 @@
 
 mod books;
 mod error;
+mod flock;
 mod lanes;
 mod pace;
 mod rounds;
 mod shader;
 mod table;
 mod tallies;
-mod trace;
 mod tracer;
 
 pub use books::Books;
 pub use error::GpuTraceError;
 pub use tallies::BatchCounts;
-pub use trace::trace_on_gpu;
+pub use tracer::GpuTracer;

@@ -8,10 +8,10 @@ mod twin;
 
 use device::device;
 use std::sync::Arc;
-use stratiform_gputrace::{BatchCounts, trace_on_gpu};
+use stratiform_gputrace::{BatchCounts, GpuTracer};
 use stratiform_optics::phase::HenyeyGreenstein;
-use stratiform_quantities::{Asymmetry, Incidence, Order, SingleScatteringAlbedo};
-use stratiform_transport::{Control, Quantity, Stop, TraceMedium, TraceRequest, trace_half_space};
+use stratiform_quantities::{Asymmetry, Incidence, SingleScatteringAlbedo};
+use stratiform_transport::{Control, Stop, TraceMedium, TraceRequest};
 
 fn sums(batches: &[BatchCounts], column: impl Fn(&BatchCounts) -> &[u64]) -> Vec<u64> {
     let mut sum = column(&batches[0]).to_vec();
@@ -33,7 +33,7 @@ fn counts_are_those_of_the_cpu() {
             let cpu = twin::trace(&medium, &request, 300_000);
             let tc = t.elapsed();
             let t = std::time::Instant::now();
-            let device = trace_on_gpu(&gpu, &medium, &request, Control::default()).unwrap();
+            let device = GpuTracer::new(&gpu).unwrap().trace(&medium, &request, Control::default()).unwrap();
             let tg = t.elapsed();
             let diff = |f: fn(&BatchCounts) -> &[u64]| -> u64 {
                 cpu.iter().zip(&device).map(|(a, b)| f(a).iter().zip(f(b)).map(|(a, b)| a.abs_diff(*b)).sum::<u64>()).sum()
