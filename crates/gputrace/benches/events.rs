@@ -10,6 +10,13 @@ use stratiform_optics::phase::HenyeyGreenstein;
 use stratiform_quantities::{Asymmetry, Incidence, SingleScatteringAlbedo};
 use stratiform_transport::{Control, Stop, TraceMedium, TraceRequest};
 
+/// Processor time of this program so far, s.
+fn processor() -> f64 {
+    let stat = std::fs::read_to_string("/proc/self/stat").unwrap();
+    let fields: Vec<&str> = stat.rsplit(')').next().unwrap().split_whitespace().collect();
+    (fields[11].parse::<f64>().unwrap() + fields[12].parse::<f64>().unwrap()) / 100.0
+}
+
 fn main() {
     let gpu = Gpu::new().unwrap();
     println!("{}", gpu.adapter());
@@ -17,14 +24,14 @@ fn main() {
     let phase = Arc::new(HenyeyGreenstein::new(Asymmetry::new(0.85).unwrap()));
     let medium = TraceMedium::full(phase, SingleScatteringAlbedo::CONSERVATIVE);
     for tau in [1.0, 5.0, 16.0, 50.0] {
-        let photons = (1.5e7 / tau) as u64;
+        let photons = (6e6 / tau) as u64;
         let request = TraceRequest { tau: vec![tau], incidence: Incidence::beam(1.0).unwrap(), stop: Stop::Photons(photons), max_order: 20, seed: 1, stream: 0 };
-        for _ in 0..3 {
-            let start = Instant::now();
+        for _ in 0..2 {
+            let (start, cpu) = (Instant::now(), processor());
             let counts = tracer.trace(&medium, &request, Control::default()).unwrap();
             let time = start.elapsed().as_secs_f64();
             let events: u64 = counts.iter().map(|b| b.turned[0] + b.passed[0]).sum();
-            println!("{tau} {photons} {events} {:.2} ns {time}", time * 1e9 / events as f64);
+            println!("{tau} {photons} {events} {:.2} ns {:.2} ns cpu", time * 1e9 / events as f64, (processor() - cpu) * 1e9 / events as f64);
         }
     }
 }

@@ -103,16 +103,14 @@ impl<'a> Flock<'a> {
         self.settings.steps = self.pace.steps();
         self.gpu.replace(&self.uniform, bytemuck::bytes_of(&self.settings))?;
         self.gpu.replace(&self.ledger, bytemuck::bytes_of(&[taken, 0, 0, 0, 0, 0]))?;
-        let [reflected, transmitted, absorbed, scatterings] = self.tallies.buffers();
+        let [counts, scatterings] = self.tallies.buffers();
         let buffers = [
             &self.uniform,
             &self.bottoms,
             &self.table,
             &self.lanes.photons,
             &self.ledger,
-            reflected,
-            transmitted,
-            absorbed,
+            counts,
             scatterings,
         ];
         let groups = [self.lanes.groups, 1, 1];

@@ -38,7 +38,7 @@ impl Lanes {
         }
         let bytes = gpu.download(&self.photons)?;
         let photons = bytes.chunks_exact(size_of::<Photon>()).map(bytemuck::pod_read_unaligned::<Photon>);
-        let mut gathered: Vec<Photon> = photons.filter(|photon| photon.in_flight == 1).collect();
+        let mut gathered: Vec<Photon> = photons.filter(|photon| photon.fate != 0).collect();
         gathered.resize((self.all * WORKGROUP) as usize, bytemuck::Zeroable::zeroed());
         self.groups = needed;
         gpu.replace(&self.photons, bytemuck::cast_slice(&gathered))

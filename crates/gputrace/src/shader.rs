@@ -15,7 +15,7 @@ pub(crate) const WORKGROUP: u32 = 64;
 /// The kernel `trace`.
 pub(crate) fn kernel(gpu: &Gpu) -> Result<Kernel, GpuError> {
     use Access::{Read, Uniform, Write};
-    let bindings = [Uniform, Read, Read, Write, Write, Write, Write, Write, Write];
+    let bindings = [Uniform, Read, Read, Write, Write, Write, Write];
     gpu.kernel(&PARTS.concat(), "trace", &bindings)
 }
 
@@ -82,5 +82,5 @@ pub(crate) struct Photon {
     pub slab: u32,
     pub order: u32,
     pub batch: u32,
-    pub in_flight: u32,
+    pub fate: u32,
 }

@@ -32,10 +32,9 @@ impl Column {
 pub(crate) struct Tallies {
     thicknesses: usize,
     bins: usize,
-    reflected: Column,
-    transmitted: Column,
-    absorbed: Column,
-    /// Of photons that turned and that passed, side by side.
+    /// Per batch and slab: photons reflected, by order bin; transmitted, by order bin; absorbed.
+    counts: Column,
+    /// Per batch and slab: of photons that turned or were absorbed, and that passed.
     scatterings: Column,
 }
 
@@ -46,36 +45,37 @@ impl Tallies {
         Ok(Self {
             thicknesses,
             bins,
-            reflected: column(rows * bins, 1)?,
-            transmitted: column(rows * bins, 1)?,
-            absorbed: column(rows, 1)?,
+            counts: column(rows * (2 * bins + 1), 1)?,
             scatterings: column(2 * rows, 2)?,
         })
     }
 
     /// In the order of their bindings.
-    pub fn buffers(&self) -> [&Buffer; 4] {
-        [&self.reflected, &self.transmitted, &self.absorbed, &self.scatterings].map(|column| &column.buffer)
+    pub fn buffers(&self) -> [&Buffer; 2] {
+        [&self.counts.buffer, &self.scatterings.buffer]
     }
 
     pub fn flush(&mut self, gpu: &Gpu) -> Result<(), GpuError> {
-        let columns =
-            [&mut self.reflected, &mut self.transmitted, &mut self.absorbed, &mut self.scatterings];
-        columns.into_iter().try_for_each(|column| column.flush(gpu))
+        self.counts.flush(gpu)?;
+        self.scatterings.flush(gpu)
     }
 
     /// What `launched` photons of one batch have come to.
     pub fn batch(&self, batch: usize, launched: u64) -> BatchCounts {
-        let slice = |column: &Column, width: usize| column.sums[batch * width..(batch + 1) * width].to_vec();
-        let scatterings = slice(&self.scatterings, 2 * self.thicknesses);
-        let every_other = |from| scatterings.iter().skip(from).step_by(2).copied().collect();
+        let (bins, slabs) = (self.bins, batch * self.thicknesses..(batch + 1) * self.thicknesses);
+        let counts = |from: usize, until: usize| {
+            let row = |slab: usize| slab * (2 * bins + 1);
+            let cells = slabs.clone().flat_map(|slab| &self.counts.sums[row(slab) + from..row(slab) + until]);
+            cells.copied().collect()
+        };
+        let scatterings = |which: usize| slabs.clone().map(|slab| self.scatterings.sums[2 * slab + which]).collect();
         BatchCounts {
             launched,
-            reflected: slice(&self.reflected, self.thicknesses * self.bins),
-            transmitted: slice(&self.transmitted, self.thicknesses * self.bins),
-            absorbed: slice(&self.absorbed, self.thicknesses),
-            turned: every_other(0),
-            passed: every_other(1),
+            reflected: counts(0, bins),
+            transmitted: counts(bins, 2 * bins),
+            absorbed: counts(2 * bins, 2 * bins + 1),
+            turned: scatterings(0),
+            passed: scatterings(1),
         }
     }
 }

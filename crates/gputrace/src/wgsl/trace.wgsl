@@ -27,7 +27,7 @@ struct Photon {
     slab: u32,
     order: u32,
     batch: u32,
-    in_flight: u32,
+    fate: u32,
 }
 
 struct Ledger {
@@ -46,13 +46,15 @@ struct Ledger {
 @group(0) @binding(2) var<storage, read> table: array<vec2<f32>>;
 @group(0) @binding(3) var<storage, read_write> photons: array<Photon>;
 @group(0) @binding(4) var<storage, read_write> ledger: Ledger;
-// By batch, slab and order bin.
-@group(0) @binding(5) var<storage, read_write> reflected: array<atomic<u32>>;
-@group(0) @binding(6) var<storage, read_write> transmitted: array<atomic<u32>>;
-// By batch and slab: absorbed photons.
-@group(0) @binding(7) var<storage, read_write> absorbed: array<atomic<u32>>;
-// By batch and slab: scatterings of photons that turned, and of photons that passed, each as low and high word.
-@group(0) @binding(8) var<storage, read_write> scatterings: array<atomic<u32>>;
+// By batch and slab: photons that turned, by order bin; that passed, by order bin; that were absorbed.
+@group(0) @binding(5) var<storage, read_write> counts: array<atomic<u32>>;
+// By batch and slab: scatterings of photons that turned or were absorbed, and of photons that passed, each as low and high word.
+@group(0) @binding(6) var<storage, read_write> scatterings: array<atomic<u32>>;
+
+const FLIGHTS: u32 = 16u;
+const NONE: u32 = 0u;
+const FLYING: u32 = 1u;
+const ABSORBED: u32 = 2u;
 
 const LOG_ROUND: u32 = 20u;
 const BATCHES: u32 = 256u;
@@ -72,18 +74,11 @@ fn launched(number: u32) -> Photon {
     if (settings.diffuse == 1u) {
         photon.mu = diffuse_cosine(draw(&stream));
     }
+    photon.depth = photon.mu * optical_path(draw(&stream));
     photon.stream = stream;
     photon.batch = batch_of(number);
-    photon.in_flight = 1u;
+    photon.fate = FLYING;
     return photon;
-}
-
-fn row(photon: Photon) -> u32 {
-    return photon.batch * settings.thicknesses + photon.slab;
-}
-
-fn cell(photon: Photon) -> u32 {
-    return row(photon) * settings.bins + min(photon.order, settings.bins - 1u);
 }
 
 // Adds to a sum of two words.
@@ -94,45 +89,39 @@ fn add_scatterings(sum: u32, order: u32) {
     }
 }
 
-fn count_pass(photon: Photon) {
-    atomicAdd(&transmitted[cell(photon)], 1u);
-    add_scatterings(2u * row(photon) + 1u, photon.order);
-}
-
-fn count_return(photon: Photon) {
-    atomicAdd(&reflected[cell(photon)], 1u);
-    add_scatterings(2u * row(photon), photon.order);
-}
-
-fn count_absorption(photon: Photon) {
-    atomicAdd(&absorbed[row(photon)], 1u);
-    add_scatterings(2u * row(photon), photon.order);
+// Counts that the photon has passed its slab, or else that it has turned or been absorbed there.
+fn count(photon: Photon, passes: bool) {
+    let row = photon.batch * settings.thicknesses + photon.slab;
+    let bin = min(photon.order, settings.bins - 1u);
+    let turn = select(bin, 2u * settings.bins, photon.fate == ABSORBED);
+    let column = select(turn, settings.bins + bin, passes);
+    atomicAdd(&counts[row * (2u * settings.bins + 1u) + column], 1u);
+    add_scatterings(2u * row + select(0u, 1u, passes), photon.order);
 }
 
 @compute @workgroup_size(64)
 fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
     var photon = photons[id.x];
     var stream = photon.stream;
-    let before = photon.in_flight;
     var bottom = bottoms[photon.slab];
+    let before = select(1u, 0u, photon.fate == NONE);
     // Photons launched, reflected, transmitted, absorbed.
     var books = vec4<u32>(0u);
     for (var step = 0u; step < settings.steps; step++) {
-        while (photon.in_flight == 1u && photon.depth >= bottom) {
-            count_pass(photon);
-            photon.slab += 1u;
-            bottom = bottoms[photon.slab];
-            if (photon.slab == settings.thicknesses) {
-                photon.in_flight = 0u;
-                books.z += 1u;
+        while (photon.fate == ABSORBED || (photon.fate == FLYING && (photon.depth < 0.0 || photon.depth >= bottom))) {
+            let passes = photon.fate == FLYING && photon.depth >= bottom;
+            count(photon, passes);
+            if (passes) {
+                photon.slab += 1u;
+                bottom = bottoms[photon.slab];
             }
+            let ends = !passes || photon.slab == settings.thicknesses;
+            books += select(vec4<u32>(0u), vec4<u32>(0u, 1u, 0u, 0u), ends && !passes && photon.fate == FLYING);
+            books += select(vec4<u32>(0u), vec4<u32>(0u, 0u, 1u, 0u), ends && passes);
+            books += select(vec4<u32>(0u), vec4<u32>(0u, 0u, 0u, 1u), photon.fate == ABSORBED);
+            photon.fate = select(photon.fate, NONE, ends);
         }
-        if (photon.in_flight == 1u && photon.depth < 0.0) {
-            count_return(photon);
-            photon.in_flight = 0u;
-            books.y += 1u;
-        }
-        if (photon.in_flight == 0u) {
+        if (photon.fate == NONE) {
             let number = atomicAdd(&ledger.asked, 1u);
             if (number >= settings.count) {
                 break;
@@ -141,21 +130,20 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
             stream = photon.stream;
             bottom = bottoms[0];
             books.x += 1u;
-        } else if (photon.depth < bottom) {
+        }
+        for (var flight = 0u; flight < FLIGHTS; flight++) {
+            if (photon.fate != FLYING || photon.depth < 0.0 || photon.depth >= bottom) {
+                break;
+            }
             if (settings.absorbing == 1u && draw(&stream) >= settings.absorbs_from) {
-                count_absorption(photon);
-                photon.in_flight = 0u;
-                books.w += 1u;
-                continue;
+                photon.fate = ABSORBED;
+                break;
             }
             let v = sampled(draw(&stream));
             photon.mu = scattered(photon.mu, v, azimuth_cosine(draw(&stream)));
+            photon.depth += photon.mu * optical_path(draw(&stream));
             photon.order += 1u;
-        } else {
-            // The driver stopped the loop over the slabs.
-            continue;
         }
-        photon.depth += photon.mu * optical_path(draw(&stream));
     }
     photon.stream = stream;
     photons[id.x] = photon;
@@ -163,5 +151,5 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
     atomicAdd(&ledger.reflected, books.y);
     atomicAdd(&ledger.transmitted, books.z);
     atomicAdd(&ledger.absorbed, books.w);
-    atomicAdd(&ledger.in_flight, photon.in_flight - before);
+    atomicAdd(&ledger.in_flight, select(1u, 0u, photon.fate == NONE) - before);
 }
