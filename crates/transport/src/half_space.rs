@@ -31,7 +31,7 @@ pub fn trace_half_space(
 }
 
 /// The half space with the depths at which something is counted, in its own extinction.
-struct HalfSpace<'a> {
+pub(crate) struct HalfSpace<'a> {
     table: &'a SamplingTable,
     /// Ascending.
     bottoms: Vec<f64>,
@@ -42,7 +42,7 @@ struct HalfSpace<'a> {
 }
 
 impl<'a> HalfSpace<'a> {
-    fn new(medium: &'a TraceMedium, request: &TraceRequest, tau: &[f64]) -> Self {
+    pub fn new(medium: &'a TraceMedium, request: &TraceRequest, tau: &[f64]) -> Self {
         Self {
             table: medium.table(),
             bottoms: tau.iter().map(|tau| tau * medium.extinction()).collect(),

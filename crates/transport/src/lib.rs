@@ -9,27 +9,38 @@
 //! launched = reflected + transmitted + absorbed, for each thickness. τ is always the optical thickness of
 //! the full medium; see the conventions in `stratiform_quantities`.
 
+mod cells;
 mod control;
+mod counted;
 mod error;
+mod fingerprint;
 mod half_space;
 mod kernels;
 mod lanes;
 mod medium;
+mod part;
+mod photon_set;
 mod plain;
 pub mod radiance;
 mod request;
 mod run;
+mod share;
 pub mod single;
 pub mod solve;
 mod tally;
+mod trace_job;
 mod traced;
 mod walk;
 
+pub use cells::Cell;
 pub use control::{Control, Progress};
 pub use error::TransportError;
 pub use half_space::trace_half_space;
 pub use medium::TraceMedium;
+pub use part::{Identity, Part};
 pub use plain::trace_plain;
 pub use request::{MAX_ROWS, PHOTONS, Stop, TraceRequest};
-pub use tally::Quantity;
+pub use share::Share;
+pub use tally::{Quantity, Tally};
+pub use trace_job::{TraceJob, Tracer};
 pub use traced::Traced;
