@@ -85,22 +85,33 @@ impl LinearPieces {
     /// The same for many words at once, as loops that vector units can run.
     #[inline(always)]
     pub fn sample_all<const N: usize>(&self, words: &[u32; N]) -> [f32; N] {
-        let mut pieces = [Piece { start: 0.0, slope: 0.0 }; N];
-        let mut v = [0.0; N];
-        let mut split = false;
+        let mut pieces = [0; N];
         for k in 0..N {
-            pieces[k] = Piece::unpacked(self.first[(words[k] >> (32 - INTERVAL_BITS)) as usize]);
-            v[k] = pieces[k].at(offset::<INTERVAL_BITS>(words[k]));
-            split |= pieces[k].slope < 0.0;
+            pieces[k] = self.first[(words[k] >> (32 - INTERVAL_BITS)) as usize];
         }
-        if split {
-            (0..N).filter(|&k| pieces[k].slope < 0.0).for_each(|k| v[k] = self.split(pieces[k], words[k]));
+        let pieces: &[[u32; 2]; N] = bytemuck::cast_ref(&pieces);
+        let mut v = [0.0; N];
+        let mut signs = 0;
+        for k in 0..N {
+            let [start, slope] =
+                if cfg!(target_endian = "little") { pieces[k] } else { [pieces[k][1], pieces[k][0]] };
+            v[k] = f32::from_bits(start) + offset::<INTERVAL_BITS>(words[k]) * f32::from_bits(slope);
+            signs |= slope;
+        }
+        if (signs as i32) < 0 {
+            self.split_all(words, &mut v);
         }
         v
     }
 
+    /// Replaces the samples that fall into split intervals.
     #[cold]
     #[inline(never)]
+    fn split_all(&self, words: &[u32], v: &mut [f32]) {
+        words.iter().zip(v).for_each(|(&bits, v)| *v = self.sample(bits));
+    }
+
+    #[inline]
     fn split(&self, piece: Piece, bits: u32) -> f32 {
         let part = (bits >> (32 - INTERVAL_BITS - SPLIT_BITS)) as usize % SPLITS;
         let word = self.second[piece.start as usize - INTERVALS + part];
