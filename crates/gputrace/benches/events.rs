@@ -30,7 +30,7 @@ fn main() {
             let (start, cpu) = (Instant::now(), processor());
             let counts = tracer.trace(&medium, &request, Control::default()).unwrap();
             let time = start.elapsed().as_secs_f64();
-            let events: u64 = counts.iter().map(|b| b.turned[0] + b.passed[0]).sum();
+            let events = (counts.mean_scatterings(0).value * counts.photons() as f64) as u64;
             println!("{tau} {photons} {events} {:.2} ns {:.2} ns cpu", time * 1e9 / events as f64, (processor() - cpu) * 1e9 / events as f64);
         }
     }

@@ -34,9 +34,13 @@ impl Books {
         if self.balance() { Ok(()) } else { Err(GpuTraceError::Books(*self)) }
     }
 
+    /// Photons that are through.
+    pub fn ended(&self) -> u64 {
+        self.reflected + self.transmitted + self.absorbed
+    }
+
     fn balance(&self) -> bool {
-        let ended = self.reflected + self.transmitted + self.absorbed;
-        u64::try_from(self.in_flight).is_ok_and(|in_flight| self.launched == ended + in_flight)
+        u64::try_from(self.in_flight).is_ok_and(|in_flight| self.launched == self.ended() + in_flight)
     }
 }
 

@@ -4,30 +4,26 @@ use crate::shader::{Photon, WORKGROUP};
 use stratiform_gpu::{Buffer, Gpu, GpuError};
 
 /// Most photons in flight at once.
-const MOST: u64 = 1 << 17;
+const MOST: u32 = 1 << 17;
 /// Photons that one invocation should trace, if there are so many: then few invocations wait for the last photons.
-const SHARE: u64 = 8;
+const SHARE: u32 = 8;
 
 /// Invocations with their photons.
 pub(crate) struct Lanes {
     pub photons: Buffer,
-    all: u32,
     /// Workgroups that are dispatched.
     pub groups: u32,
 }
 
 impl Lanes {
-    /// For a trace of so many photons.
-    pub fn new(gpu: &Gpu, photons: u64) -> Result<Self, GpuError> {
-        let workgroup = u64::from(WORKGROUP);
-        let groups = (photons / SHARE).clamp(1, MOST).div_ceil(workgroup) as u32;
-        let bytes = (groups * WORKGROUP) as usize * size_of::<Photon>();
-        Ok(Self { photons: gpu.zeroed(bytes)?, all: groups, groups })
+    /// No photon in any.
+    pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+        Ok(Self { photons: gpu.zeroed(MOST as usize * size_of::<Photon>())?, groups: 0 })
     }
 
-    /// All invocations again.
-    pub fn open(&mut self) {
-        self.groups = self.all;
+    /// Makes room for so many photons to be traced, when none is in flight.
+    pub fn open(&mut self, photons: u32) {
+        self.groups = (photons / SHARE).clamp(1, MOST).div_ceil(WORKGROUP);
     }
 
     /// Gathers the last photons in the first workgroups, and leaves out the rest, if that saves most of them.
@@ -39,7 +35,7 @@ impl Lanes {
         let bytes = gpu.download(&self.photons)?;
         let photons = bytes.chunks_exact(size_of::<Photon>()).map(bytemuck::pod_read_unaligned::<Photon>);
         let mut gathered: Vec<Photon> = photons.filter(|photon| photon.fate != 0).collect();
-        gathered.resize((self.all * WORKGROUP) as usize, bytemuck::Zeroable::zeroed());
+        gathered.resize(MOST as usize, bytemuck::Zeroable::zeroed());
         self.groups = needed;
         gpu.replace(&self.photons, bytemuck::cast_slice(&gathered))
     }

@@ -11,15 +11,14 @@
 mod books;
 mod error;
 mod flock;
+mod job;
 mod lanes;
 mod pace;
-mod rounds;
 mod shader;
-mod table;
 mod tallies;
 mod tracer;
 
 pub use books::Books;
 pub use error::GpuTraceError;
-pub use tallies::BatchCounts;
+pub use job::GpuJob;
 pub use tracer::GpuTracer;

@@ -1,14 +1,15 @@
 //! The device's side of the tracer.
 
-use crate::rounds::Queue;
 use stratiform_gpu::{Access, Gpu, GpuError, Kernel};
 use stratiform_quantities::Incidence;
 use stratiform_stats::{Purpose, key};
-use stratiform_transport::{TraceMedium, TraceRequest};
+use stratiform_transport::{Stretch, TraceMedium, TraceRequest};
 
 const PARTS: [&str; 3] =
     [include_str!("wgsl/stream.wgsl"), include_str!("wgsl/flight.wgsl"), include_str!("wgsl/trace.wgsl")];
 
+/// Most flights between two looks at a photon: a look costs as much as some, and a photon in 15 or so has done something.
+const FLIGHTS: u32 = 16;
 /// Photons of one workgroup.
 pub(crate) const WORKGROUP: u32 = 64;
 
@@ -25,6 +26,7 @@ pub(crate) fn kernel(gpu: &Gpu) -> Result<Kernel, GpuError> {
 pub(crate) struct Settings {
     pub key: [u32; 2],
     pub first: [u32; 2],
+    pub place: u32,
     pub count: u32,
     pub last_round: u32,
     pub last_length: u32,
@@ -34,7 +36,8 @@ pub(crate) struct Settings {
     pub absorbs_from: u32,
     pub diffuse: u32,
     pub mu: f32,
-    pub steps: u32,
+    pub looks: u32,
+    pub flights: u32,
 }
 
 impl Settings {
@@ -54,15 +57,18 @@ impl Settings {
             absorbs_from: scattering as u32,
             diffuse: u32::from(request.incidence == Incidence::Diffuse),
             mu,
+            flights: FLIGHTS,
             ..bytemuck::Zeroable::zeroed()
         }
     }
 
-    pub fn enqueue(&mut self, queue: Queue) {
-        self.first = words(queue.first);
-        self.count = queue.count;
-        self.last_round = queue.last_round();
-        self.last_length = queue.last_length();
+    pub fn enqueue(&mut self, stretch: &Stretch) {
+        let (photons, first, last) = (stretch.photons(), stretch.first_round(), stretch.last_round());
+        self.first = words(photons.start);
+        self.place = (photons.start - first) as u32;
+        self.count = (photons.end - photons.start) as u32;
+        self.last_round = ((last.start - first) / Stretch::ROUND) as u32;
+        self.last_length = (last.end - last.start) as u32;
     }
 }
 

@@ -1,15 +1,14 @@
-//! A request from beginning to end.
+//! The compiled tracer, and a request from beginning to end.
 
-use crate::flock::Flock;
-use crate::{BatchCounts, GpuTraceError, shader};
+use crate::{GpuJob, GpuTraceError, shader};
 use stratiform_gpu::{Gpu, Kernel};
-use stratiform_transport::{Control, Stop, TraceMedium, TraceRequest};
+use stratiform_transport::{Control, Share, TraceMedium, TraceRequest, Traced};
 
-/// The tracer on a device, compiled.
+/// The tracer on a device.
 #[derive(Debug)]
 pub struct GpuTracer {
-    gpu: Gpu,
-    kernel: Kernel,
+    pub(crate) gpu: Gpu,
+    pub(crate) kernel: Kernel,
 }
 
 impl GpuTracer {
@@ -21,7 +20,12 @@ impl GpuTracer {
         Ok(Self { gpu: gpu.clone(), kernel: shader::kernel(gpu)? })
     }
 
-    /// Traces `request` through `medium`: counts per batch, slabs in ascending order.
+    /// The device: name, backend and driver of the adapter.
+    pub fn adapter(&self) -> &str {
+        self.gpu.adapter()
+    }
+
+    /// Traces `request` through `medium`.
     ///
     /// # Errors
     /// [`GpuTraceError`] for input out of domain, on cancellation, if the device fails, or if photons are not all accounted for.
@@ -30,13 +34,10 @@ impl GpuTracer {
         medium: &TraceMedium,
         request: &TraceRequest,
         control: Control<'_>,
-    ) -> Result<Vec<BatchCounts>, GpuTraceError> {
-        request.check()?;
-        let mut tau = request.tau.clone();
-        tau.sort_by(f64::total_cmp);
-        let Stop::Photons(photons) = request.stop else { todo!() };
-        let mut flock = Flock::new(&self.gpu, &self.kernel, medium, request, &tau, photons)?;
-        flock.trace(0..photons, control)?;
-        Ok(flock.batches())
+    ) -> Result<Traced, GpuTraceError> {
+        let job = GpuJob::new(self, medium, request)?;
+        let mut part = job.part();
+        job.trace(&mut part, Share::WHOLE, control, |_| ())?;
+        Ok(part.finish()?)
     }
 }

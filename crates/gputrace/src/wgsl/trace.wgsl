@@ -1,13 +1,17 @@
 // The half-space tracer: each invocation carries one photon, and takes the next of the queue when it has ended.
-// One turn of the loop is one flight, and the collision or launch before it. Whenever a loop stops, the photon is whole.
+//
+// A look counts what the photon has done, replaces it if it has ended, and lets it fly some times, at most until it has done
+// something. So that the neighbours of a photon that has wait for it together, what is done seldom is in one place.
+// Wherever a loop stops, by itself or by the driver, the photon is whole and goes on with the next dispatch.
 
 struct Settings {
     key: vec2<u32>,
-    // Index of the queue's first photon, which begins a round.
+    // Number of the queue's first photon, and its place in its round.
     first: vec2<u32>,
+    place: u32,
     // Photons in the queue.
     count: u32,
-    // The queue's last round, and its photons.
+    // The last round, counted from that of the first photon, and its length; the others are full.
     last_round: u32,
     last_length: u32,
     thicknesses: u32,
@@ -16,7 +20,9 @@ struct Settings {
     absorbs_from: u32,
     diffuse: u32,
     mu: f32,
-    steps: u32,
+    // Looks at a photon in one dispatch, and most flights between two.
+    looks: u32,
+    flights: u32,
 }
 
 struct Photon {
@@ -51,19 +57,18 @@ struct Ledger {
 // By batch and slab: scatterings of photons that turned or were absorbed, and of photons that passed, each as low and high word.
 @group(0) @binding(6) var<storage, read_write> scatterings: array<atomic<u32>>;
 
-const FLIGHTS: u32 = 16u;
 const NONE: u32 = 0u;
 const FLYING: u32 = 1u;
 const ABSORBED: u32 = 2u;
 
-const LOG_ROUND: u32 = 20u;
+const ROUND: u32 = 1048576u;
 const BATCHES: u32 = 256u;
 
 // The batch of the queue's photon `number`.
 fn batch_of(number: u32) -> u32 {
-    let round = number >> LOG_ROUND;
-    let place = number & ((1u << LOG_ROUND) - 1u);
-    let length = select(1u << LOG_ROUND, settings.last_length, round == settings.last_round);
+    let round = (settings.place + number) / ROUND;
+    let place = (settings.place + number) % ROUND;
+    let length = select(ROUND, settings.last_length, round == settings.last_round);
     return (BATCHES * (place + 1u) - 1u) / length;
 }
 
@@ -79,6 +84,11 @@ fn launched(number: u32) -> Photon {
     photon.batch = batch_of(number);
     photon.fate = FLYING;
     return photon;
+}
+
+// Whether the photon is above the cloud or has passed its slab.
+fn is_out(photon: Photon, bottom: f32) -> bool {
+    return photon.depth < 0.0 || photon.depth >= bottom;
 }
 
 // Adds to a sum of two words.
@@ -107,19 +117,18 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
     let before = select(1u, 0u, photon.fate == NONE);
     // Photons launched, reflected, transmitted, absorbed.
     var books = vec4<u32>(0u);
-    for (var step = 0u; step < settings.steps; step++) {
-        while (photon.fate == ABSORBED || (photon.fate == FLYING && (photon.depth < 0.0 || photon.depth >= bottom))) {
+    for (var look = 0u; look < settings.looks; look++) {
+        while (photon.fate == ABSORBED || (photon.fate == FLYING && is_out(photon, bottom))) {
             let passes = photon.fate == FLYING && photon.depth >= bottom;
             count(photon, passes);
             if (passes) {
                 photon.slab += 1u;
                 bottom = bottoms[photon.slab];
             }
-            let ends = !passes || photon.slab == settings.thicknesses;
-            books += select(vec4<u32>(0u), vec4<u32>(0u, 1u, 0u, 0u), ends && !passes && photon.fate == FLYING);
-            books += select(vec4<u32>(0u), vec4<u32>(0u, 0u, 1u, 0u), ends && passes);
-            books += select(vec4<u32>(0u), vec4<u32>(0u, 0u, 0u, 1u), photon.fate == ABSORBED);
-            photon.fate = select(photon.fate, NONE, ends);
+            let absorbed = photon.fate == ABSORBED;
+            let end = vec4<bool>(false, !passes && !absorbed, passes && photon.slab == settings.thicknesses, absorbed);
+            books += select(vec4<u32>(0u), vec4<u32>(1u), end);
+            photon.fate = select(photon.fate, NONE, any(end));
         }
         if (photon.fate == NONE) {
             let number = atomicAdd(&ledger.asked, 1u);
@@ -131,8 +140,8 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
             bottom = bottoms[0];
             books.x += 1u;
         }
-        for (var flight = 0u; flight < FLIGHTS; flight++) {
-            if (photon.fate != FLYING || photon.depth < 0.0 || photon.depth >= bottom) {
+        for (var flight = 0u; flight < settings.flights; flight++) {
+            if (photon.fate != FLYING || is_out(photon, bottom)) {
                 break;
             }
             if (settings.absorbing == 1u && draw(&stream) >= settings.absorbs_from) {
