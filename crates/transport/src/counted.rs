@@ -209,3 +209,66 @@ pub(crate) fn ascending(tau: &[f64]) -> (Vec<f64>, Vec<usize>) {
     places.iter().enumerate().for_each(|(place, &given)| rank[given] = place);
     (places.iter().map(|&given| tau[given]).collect(), rank)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Quantity;
+    use stratiform_quantities::{Incidence, Order};
+
+    /// 10¹² photons, reflected by all slabs after a million scatterings each or passed by all after three million: no counter is
+    /// full, no photon is lost.
+    #[test]
+    fn a_million_million_photons_overflow_nothing() {
+        let photons = 1_000_000_000_000;
+        let (stop, incidence) = (Stop::Photons(photons), Incidence::Diffuse);
+        let tau = vec![1.0, 1e6];
+        let request = TraceRequest { tau, incidence, stop, max_order: 1, seed: 1, stream: 0 };
+        let mut counted = Counted::nothing(&request, true);
+        counted.photons.insert(0..photons);
+        for batch in &mut counted.batches {
+            let share = photons / BATCHES as u64;
+            let (passed, turned) = (share / 2, share - share / 2);
+            batch.launched = share;
+            batch.reflected[2] = turned;
+            batch.turned[0] = turned * 1_000_000;
+            (batch.transmitted[2], batch.transmitted[5]) = (passed, passed);
+            (batch.passed[0], batch.passed[1]) = (passed * 3_000_000, passed * 3_000_000);
+        }
+        assert!(counted.is_sound());
+        let traced = counted.finish().unwrap();
+        assert_eq!(traced.photons(), photons);
+        for slab in 0..2 {
+            assert_eq!(traced.hits(slab, Quantity::Reflectance(Order::Tail)), photons / 2);
+            assert_eq!(traced.hits(slab, Quantity::Transmittance(Order::Total)), photons / 2);
+            assert!((traced.mean_scatterings(slab).value - 2e6).abs() < 1.0);
+        }
+    }
+
+    #[test]
+    fn contradictions_are_seen() {
+        let stop = Stop::StdError { target: 1e-3, max_photons: 1000 };
+        let (tau, incidence) = (vec![1.0], Incidence::Diffuse);
+        let request = TraceRequest { tau, incidence, stop, max_order: 1, seed: 1, stream: 0 };
+        let good = Counted::nothing(&request, true);
+        assert!(good.is_sound());
+        let damages: [fn(&mut Counted); 8] = [
+            |counted| counted.photons.insert(0..5),
+            |counted| counted.batches[3].launched = 5,
+            |counted| counted.batches[3].reflected.push(0),
+            |counted| counted.batches[3].bins = 2,
+            |counted| drop(counted.batches.pop()),
+            |counted| counted.round = 0..1001,
+            |counted| counted.request.tau.push(f64::NAN),
+            |counted| {
+                counted.photons.insert(999..1001);
+                counted.batches[0].launched = 2;
+            },
+        ];
+        for (index, damage) in damages.iter().enumerate() {
+            let mut counted = good.clone();
+            damage(&mut counted);
+            assert!(!counted.is_sound(), "damage {index}");
+        }
+    }
+}

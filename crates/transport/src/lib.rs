@@ -5,6 +5,9 @@
 //! [`trace_half_space`] follows depth and direction cosine only, one history for every thickness;
 //! [`trace_plain`] is the three-dimensional reference, one slab at a time. The same walk scores [`radiance`].
 //!
+//! A trace can be done in parts ([`TraceJob`], [`Part`]): by several processes, or by one that is stopped and started
+//! again, with the same result bit for bit.
+//!
 //! Absorption is analog, so every tally is a whole number and the books close exactly:
 //! launched = reflected + transmitted + absorbed, for each thickness. τ is always the optical thickness of
 //! the full medium; see the conventions in `stratiform_quantities`.
