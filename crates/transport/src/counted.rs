@@ -7,7 +7,7 @@
 use crate::cells::{BATCHES, Cell, LONGEST, cells, fixed_round};
 use crate::photon_set::PhotonSet;
 use crate::tally::Tally;
-use crate::{Stop, TraceRequest, Traced, TransportError};
+use crate::{Stop, Stretch, TraceRequest, Traced, TransportError};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -77,22 +77,50 @@ impl Counted {
         Ok(Some(done..max_photons.min(done + length)))
     }
 
+    /// The photons of `within` to trace next in one go, at most `longest`: none if nothing is left to do.
+    pub fn next_stretch(&mut self, within: &Range<u64>, longest: u64) -> Result<Option<Stretch>, TransportError> {
+        let Some(round) = self.next_round(within)? else { return Ok(None) };
+        let mut within = within.clone();
+        if self.request.stop.target().is_some() {
+            self.round = round.clone();
+            within.end = round.end;
+        }
+        let stretch = |gap: &Range<u64>| {
+            let photons = gap.start..gap.end.min(gap.start.saturating_add(longest));
+            let last_round = match self.request.stop {
+                Stop::Photons(max) => fixed_round(photons.end - 1, max),
+                Stop::StdError { .. } => round.clone(),
+            };
+            Stretch { photons, first_round: round.start, last_round }
+        };
+        Ok(self.photons.gaps(&within).first().map(stretch))
+    }
+
     /// Adds what the photons of `cell` have counted.
     pub fn add(&mut self, cell: &Cell, tally: &Tally) -> Result<(), TransportError> {
-        let photons = cell.photons.clone();
-        if let Some(common) = self.photons.common(&photons) {
-            return Err(TransportError::CountedTwice { from: common.start, to: common.end });
-        }
-        if tally.launched != photons.end - photons.start {
-            return Err(TransportError::Launched {
-                from: photons.start,
-                to: photons.end,
-                launched: tally.launched,
-            });
-        }
+        self.check_uncounted(&cell.photons)?;
+        check_launched(&cell.photons, cell.photons.end - cell.photons.start, tally.launched)?;
         self.batches[cell.batch].add(tally);
-        self.photons.insert(photons);
+        self.photons.insert(cell.photons.clone());
         Ok(())
+    }
+
+    /// Adds what the photons of `stretch` have counted, batch by batch.
+    pub fn add_stretch(&mut self, stretch: &Stretch, batches: &[Tally]) -> Result<(), TransportError> {
+        self.check_uncounted(&stretch.photons)?;
+        for (share, batch) in stretch.shares().into_iter().zip(batches) {
+            check_launched(&stretch.photons, share, batch.launched)?;
+        }
+        self.batches.iter_mut().zip(batches).for_each(|(sum, batch)| sum.add(batch));
+        self.photons.insert(stretch.photons.clone());
+        Ok(())
+    }
+
+    fn check_uncounted(&self, photons: &Range<u64>) -> Result<(), TransportError> {
+        match self.photons.common(photons) {
+            Some(common) => Err(TransportError::CountedTwice { from: common.start, to: common.end }),
+            None => Ok(()),
+        }
     }
 
     /// Adds the counts of other photons of the same request.
@@ -158,6 +186,12 @@ impl Counted {
             && self.batches.iter().all(shape)
             && launched == self.photons.len()
     }
+}
+
+/// Whether of `photons` as many were launched as there are of them, or of them in one batch.
+fn check_launched(photons: &Range<u64>, wanted: u64, launched: u64) -> Result<(), TransportError> {
+    let Range { start: from, end: to } = *photons;
+    if launched == wanted { Ok(()) } else { Err(TransportError::Launched { from, to, launched }) }
 }
 
 /// Length of the next round when `done` photons left the error `excess` times too large; 2 % are added so that one
