@@ -7,15 +7,18 @@ mod check;
 mod compare;
 mod errors;
 mod export;
+mod merge;
 mod nearest;
 mod phase_check;
 mod render;
 mod shell;
+mod spread;
 mod truth;
 mod view;
 
 use crate::numbers::{count, finite, pair, seed};
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
 pub use crate::solve_args::SolveArgs;
@@ -26,10 +29,12 @@ pub use check::CheckArgs;
 pub use compare::{CompareArgs, ComparedModels};
 pub use errors::ErrorsArgs;
 pub use export::{ExportArgs, Format};
+pub use merge::MergeArgs;
 pub use nearest::NearestArgs;
 pub use phase_check::{Convention, PhaseCheckArgs};
 pub use render::{RadianceModel, RenderArgs, SlabDepth, SlabNormals};
 pub use shell::{CompletionsArgs, ManArgs};
+pub use spread::SpreadArgs;
 pub use truth::TruthArgs;
 pub use view::WindowArgs;
 
@@ -67,6 +72,8 @@ pub enum Command {
     Optics(OpticsArgs),
     /// Monte Carlo reflectance and transmittance of slabs, per scattering order.
     Trace(TraceArgs),
+    /// Add the shards of a trace and print what one process would.
+    Merge(MergeArgs),
     /// Deterministic reflectance and transmittance of slabs, with estimated errors.
     Solve(SolveArgs),
     /// Fit the one-dimensional model to the solver or to photons, with errors and flags.
@@ -182,7 +189,8 @@ pub struct MediumArgs {
 }
 
 /// Which tracer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Estimator {
     /// Depth and μ only, one history for all thicknesses.
     HalfSpace,
@@ -218,7 +226,11 @@ pub struct ViewArgs {
     allow_negative_numbers = true,
     after_help = "Examples:\n  stratiform trace --phase hg:0.75 --tau 1,8 --mu0 1 --photons 1e7\n  stratiform trace \
                   --phase config:fit-configs/appendix-b.toml --modified 5 --tau 5 --mu0 0,0.5,diffuse --photons 1e6 \
-                  --json\n  stratiform trace --phase hg:0.85 --tau 5 --mu0 0.5 --view-mu 1,0.5 --phi 0,90,180 --photons 1e5\n\
+                  --json\n  stratiform trace --phase hg:0.85 --tau 5 --mu0 0.5 --view-mu 1,0.5 --phi 0,90,180 --photons 1e5\n  \
+                  stratiform trace --phase hg:0.85 --tau 16 --mu0 1 --photons 1e11 --checkpoint run.ckpt\n  stratiform trace \
+                  --phase hg:0.85 --tau 16 --mu0 1 --photons 1e11 --shard 3/100 --out part3.bin\nKilled and started again \
+                  with the same arguments, a trace with --checkpoint goes on, and prints the bytes of an uninterrupted one; \
+                  so does `stratiform merge` of all shards.\n\
                   Radiance is scored by local estimates. A forward peak makes rare scores large: every std_error contains \
                   one more of the largest, and rows where too few were met have settled = false; raise --photons, or \
                   use --modified.\nA phase table is piecewise linear in the angle; its rows are theta_deg,p with 1/2 ∫ p \
@@ -249,6 +261,9 @@ pub struct TraceArgs {
     /// Which tracer; default half-space. Radiance is always scored by the plain one.
     #[arg(long, value_enum)]
     pub estimator: Option<Estimator>,
+    /// Over time and machines. Fluxes only.
+    #[command(flatten)]
+    pub spread: SpreadArgs,
     /// Print one JSON object instead of CSV.
     #[arg(long)]
     pub json: bool,

@@ -3,10 +3,10 @@
 //! Work that looks at the flag between batches stops there and says so. Everything else, and a second signal, ends the
 //! process at once, which is safe: files are written whole or not at all.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 static REQUESTED: AtomicBool = AtomicBool::new(false);
-static LOOKED_AT: AtomicBool = AtomicBool::new(false);
+static WATCHES: AtomicUsize = AtomicUsize::new(0);
 
 /// Exit code of a process that a signal ended, as shells expect.
 pub const INTERRUPTED: u8 = 130;
@@ -14,7 +14,7 @@ pub const INTERRUPTED: u8 = 130;
 /// Installs the handler. If another is installed already, that one applies.
 pub fn install() {
     let _ = ctrlc::set_handler(|| {
-        if REQUESTED.swap(true, Ordering::Relaxed) || !LOOKED_AT.load(Ordering::Relaxed) {
+        if REQUESTED.swap(true, Ordering::Relaxed) || WATCHES.load(Ordering::Relaxed) == 0 {
             end();
         }
     });
@@ -30,7 +30,7 @@ pub struct Watch(());
 
 /// Starts to look at the flag.
 pub fn watch() -> Watch {
-    LOOKED_AT.store(true, Ordering::Relaxed);
+    WATCHES.fetch_add(1, Ordering::Relaxed);
     Watch(())
 }
 
@@ -43,6 +43,6 @@ impl Watch {
 
 impl Drop for Watch {
     fn drop(&mut self) {
-        LOOKED_AT.store(false, Ordering::Relaxed);
+        WATCHES.fetch_sub(1, Ordering::Relaxed);
     }
 }

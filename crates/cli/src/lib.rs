@@ -15,6 +15,7 @@ pub mod output;
 pub mod pipeline;
 mod progress;
 mod solve_args;
+pub mod trace;
 
 pub use args::Cli;
 pub use error::CliError;
@@ -36,6 +37,7 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
         Command::Mie(args) => commands::mie::run(args),
         Command::Optics(args) => commands::optics::run(args, talk),
         Command::Trace(args) => commands::trace::run(args, talk),
+        Command::Merge(args) => commands::merge::run(args),
         Command::Solve(args) => commands::solve::run(args),
         Command::Fit(args) => commands::stages::fit(args, talk),
         Command::Codegen(args) => commands::codegen::run(args, talk),

@@ -1,5 +1,8 @@
 //! Numbers as people type them.
 
+use std::time::Duration;
+use stratiform_transport::Share;
+
 /// A count: `100000`, `2e6`. Whole, from 1 to 2^53.
 ///
 /// # Errors
@@ -42,6 +45,25 @@ pub fn pair(text: &str) -> Result<[f64; 2], String> {
     let (a, b) =
         text.split_once(',').ok_or_else(|| format!("`{text}` is not two numbers with a comma between"))?;
     Ok([finite(a)?, finite(b)?])
+}
+
+/// A share K/N.
+///
+/// # Errors
+/// A message naming the text and the range.
+pub fn share(text: &str) -> Result<Share, String> {
+    text.parse().map_err(|error: stratiform_transport::TransportError| error.to_string())
+}
+
+/// A length of time, from 0 to a million seconds.
+///
+/// # Errors
+/// A message naming the value and the range.
+pub fn seconds(text: &str) -> Result<Duration, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (0.0..=1e6).contains(&value) => Ok(Duration::from_secs_f64(value)),
+        _ => Err(format!("`{text}` is not a number of seconds in [0, 1000000]")),
+    }
 }
 
 #[cfg(test)]

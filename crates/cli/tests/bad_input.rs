@@ -5,21 +5,10 @@
 
 mod common;
 
-use common::{command, config, run};
+use common::{command, config, refused, run};
 use std::fs;
 use std::path::Path;
 use std::process::{Output, Stdio};
-
-/// Checks that `output` refuses with a message holding every part of `says`.
-fn refused(what: &str, output: &Output, says: &[&str]) {
-    let error = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{what}: {error}");
-    assert!(output.stdout.is_empty(), "{what}: stdout is not empty");
-    for part in says {
-        assert!(error.contains(part), "{what}: `{part}` is not in: {error}");
-    }
-    assert!(!error.contains("panicked"), "{what}: {error}");
-}
 
 #[test]
 fn numbers_out_of_domain() {

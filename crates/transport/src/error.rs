@@ -78,4 +78,64 @@ pub enum TransportError {
         /// Histories started.
         launched: u64,
     },
+    /// Text that names no share.
+    #[error("shard = `{text}` is not K/N with whole numbers 1 <= K <= N <= 4294967296")]
+    Share {
+        /// What was given.
+        text: String,
+    },
+    /// Rounds of a trace with a target error depend on all photons before them.
+    #[error(
+        "a trace that stops at a standard error cannot be split: its length depends on the results of all photons"
+    )]
+    OneAfterTheOther,
+    /// Photons that are counted already.
+    #[error("photons {from} to {} would be counted twice", to - 1)]
+    CountedTwice {
+        /// The first of them.
+        from: u64,
+        /// One past the last of the first such range.
+        to: u64,
+    },
+    /// Photons that nobody counted.
+    #[error("{photons} photons are missing, from photon {from} to {} first", to - 1)]
+    Missing {
+        /// How many.
+        photons: u64,
+        /// The first of them.
+        from: u64,
+        /// One past the last of the first such range.
+        to: u64,
+    },
+    /// A tally of more or fewer photons than its cell has.
+    #[error("{launched} photons were launched as numbers {from} to {}", to - 1)]
+    Launched {
+        /// The first number.
+        from: u64,
+        /// One past the last.
+        to: u64,
+        /// Histories started.
+        launched: u64,
+    },
+    /// A tally of other slabs or orders.
+    #[error("the tally is not of {thicknesses} thicknesses with {orders} orders each")]
+    Shape {
+        /// Number of thicknesses.
+        thicknesses: usize,
+        /// Rows per thickness: orders 0…N and the tail.
+        orders: usize,
+    },
+    /// A part of another trace.
+    #[error("it belongs to another trace: its {what} is {found}, not {wanted}")]
+    Foreign {
+        /// What differs first.
+        what: &'static str,
+        /// Its value there.
+        found: String,
+        /// The value here.
+        wanted: String,
+    },
+    /// Stored counts that contradict themselves.
+    #[error("the stored counts contradict themselves")]
+    Damaged,
 }

@@ -9,26 +9,43 @@
 //! launched = reflected + transmitted + absorbed, for each thickness. τ is always the optical thickness of
 //! the full medium; see the conventions in `stratiform_quantities`.
 
+mod cells;
 mod control;
+mod counted;
+mod dispatch;
 mod error;
+mod fingerprint;
+mod flock;
 mod half_space;
 mod kernels;
 mod lanes;
+mod launches;
 mod medium;
+mod part;
+mod photon_set;
 mod plain;
 pub mod radiance;
+mod real;
 mod request;
 mod run;
+mod share;
+pub mod single;
 pub mod solve;
 mod tally;
+mod trace_job;
 mod traced;
 mod walk;
 
+pub use cells::Cell;
 pub use control::{Control, Progress};
+pub use dispatch::{Instructions, Kernel, Precision};
 pub use error::TransportError;
-pub use half_space::trace_half_space;
+pub use half_space::{trace_half_space, trace_half_space_with};
 pub use medium::TraceMedium;
+pub use part::{Identity, Part};
 pub use plain::trace_plain;
 pub use request::{MAX_ROWS, PHOTONS, Stop, TraceRequest};
-pub use tally::Quantity;
+pub use share::Share;
+pub use tally::{Quantity, Tally};
+pub use trace_job::{TraceJob, Tracer};
 pub use traced::Traced;

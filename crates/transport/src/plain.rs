@@ -24,7 +24,7 @@ pub fn trace_plain(
 }
 
 /// Slabs of one medium. Depth is the z coordinate, in mean free paths.
-struct Plain<'a> {
+pub(crate) struct Plain<'a> {
     medium: &'a TraceMedium,
     bottoms: Vec<f64>,
     incidence: Incidence,
@@ -32,7 +32,7 @@ struct Plain<'a> {
 }
 
 impl<'a> Plain<'a> {
-    fn new(medium: &'a TraceMedium, request: &TraceRequest, tau: &[f64]) -> Self {
+    pub fn new(medium: &'a TraceMedium, request: &TraceRequest, tau: &[f64]) -> Self {
         Self {
             medium,
             bottoms: tau.iter().map(|tau| tau * medium.extinction()).collect(),
@@ -52,6 +52,7 @@ impl<'a> Plain<'a> {
 
 impl Estimator for Plain<'_> {
     const NESTED: bool = false;
+    const LONGEST: u64 = 256;
 
     fn trace(&self, photons: Range<u64>, tally: &mut Tally, control: Control<'_>) {
         for index in photons {

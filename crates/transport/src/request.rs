@@ -1,6 +1,8 @@
 //! What to trace, and when to stop.
 
 use crate::TransportError;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::fmt;
 use stratiform_quantities::{Incidence, OpticalThickness, Range};
 
 /// Largest number of thicknesses times orders (0…N and the tail) in one trace.
@@ -10,7 +12,7 @@ pub const MAX_ROWS: usize = 1 << 16;
 pub const PHOTONS: Range = Range::closed(2.0, 281_474_976_710_656.0);
 
 /// When enough photons are traced.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Stop {
     /// After exactly this many, 2…2⁴⁸.
     Photons(u64),
@@ -21,6 +23,15 @@ pub enum Stop {
         /// Upper limit, 2…2⁴⁸.
         max_photons: u64,
     },
+}
+
+impl fmt::Display for Stop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Stop::Photons(photons) => write!(f, "{photons}"),
+            Stop::StdError { target, max_photons } => write!(f, "at most {max_photons} to reach {target}"),
+        }
+    }
 }
 
 impl Stop {
@@ -39,11 +50,12 @@ impl Stop {
 }
 
 /// One incidence, any number of thicknesses.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TraceRequest {
     /// Optical thicknesses of the full medium, in any order; 0 is allowed.
     pub tau: Vec<f64>,
     /// Beam or diffuse light.
+    #[serde(with = "as_text")]
     pub incidence: Incidence,
     /// When to stop.
     pub stop: Stop,
@@ -81,5 +93,18 @@ impl TraceRequest {
             return Err(TransportError::TooManyRows { thicknesses, orders, max: MAX_ROWS });
         }
         Ok(())
+    }
+}
+
+/// Incidence as text, since not every format tells numbers from words. All digits are kept.
+mod as_text {
+    use super::{Deserialize, Deserializer, Incidence, Serializer};
+
+    pub fn serialize<S: Serializer>(incidence: &Incidence, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(incidence)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Incidence, D::Error> {
+        String::deserialize(deserializer)?.parse().map_err(serde::de::Error::custom)
     }
 }

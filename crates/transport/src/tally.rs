@@ -4,6 +4,7 @@
 //! from k on. Such events are counted once, at the first of them, and summed over k at the end
 //! ([`Tally::spread`]).
 
+use serde::{Deserialize, Serialize};
 use stratiform_quantities::Order;
 use stratiform_stats::Estimate;
 
@@ -16,24 +17,31 @@ pub enum Quantity {
     Transmittance(Order),
 }
 
-/// Counts per thickness and order bin. Bins are the orders 0…N and the tail.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Tally {
-    bins: usize,
+/// Counts per thickness and order bin. Bins are the orders 0…N and the tail; thicknesses ascend.
+///
+/// Sums saturate at 2⁶⁴ - 1: scatterings of 10¹² photons at τ = 10⁶ come to 2·10¹⁸, a ninth of that.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Tally {
+    /// Rows per thickness.
+    pub(crate) bins: usize,
     /// Whether an end inside or above slab k is one of all thicker slabs too.
-    nested: bool,
-    launched: u64,
-    reflected: Vec<u64>,
-    transmitted: Vec<u64>,
-    absorbed: Vec<u64>,
+    pub(crate) nested: bool,
+    /// Histories started.
+    pub launched: u64,
+    /// Photons that left through the top: bins inside thicknesses.
+    pub reflected: Vec<u64>,
+    /// Photons that left through the bottom: bins inside thicknesses.
+    pub transmitted: Vec<u64>,
+    /// Photons absorbed, per thickness.
+    pub absorbed: Vec<u64>,
     /// Scatterings of photons that ended in or above each slab.
-    turned: Vec<u64>,
+    pub turned: Vec<u64>,
     /// Scatterings of photons that passed each slab.
-    passed: Vec<u64>,
+    pub passed: Vec<u64>,
 }
 
 impl Tally {
-    pub fn new(thicknesses: usize, bins: usize, nested: bool) -> Self {
+    pub(crate) fn new(thicknesses: usize, bins: usize, nested: bool) -> Self {
         Self {
             bins,
             nested,
@@ -72,6 +80,18 @@ impl Tally {
         self.turned[first] += u64::from(order);
     }
 
+    /// [`reflect`](Self::reflect) or [`transmit`](Self::transmit), without a branch between them.
+    #[inline(always)]
+    pub fn leave(&mut self, up: bool, thickness: usize, order: u32) {
+        let cell = self.cell(thickness, order);
+        let (cells, sums) = match up {
+            true => (&mut self.reflected, &mut self.turned),
+            false => (&mut self.transmitted, &mut self.passed),
+        };
+        cells[cell] += 1;
+        sums[thickness] += u64::from(order);
+    }
+
     /// A photon is absorbed in slab `first` (if nested, in every slab from there on) after `order` scatterings.
     #[inline]
     pub fn absorb(&mut self, first: usize, order: u32) {
@@ -79,8 +99,31 @@ impl Tally {
         self.turned[first] += u64::from(order);
     }
 
+    /// Adds the counts of other photons.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.launched = self.launched.saturating_add(other.launched);
+        sum_into(&mut self.reflected, &other.reflected);
+        sum_into(&mut self.transmitted, &other.transmitted);
+        sum_into(&mut self.absorbed, &other.absorbed);
+        sum_into(&mut self.turned, &other.turned);
+        sum_into(&mut self.passed, &other.passed);
+    }
+
+    /// Whether every list has the length that goes with these numbers.
+    pub(crate) fn has_shape(&self, thicknesses: usize, bins: usize) -> bool {
+        self.bins == bins
+            && [&self.reflected, &self.transmitted].iter().all(|list| list.len() == thicknesses * bins)
+            && [&self.absorbed, &self.turned, &self.passed].iter().all(|list| list.len() == thicknesses)
+    }
+
+    /// Every number.
+    pub(crate) fn words(&self) -> impl Iterator<Item = u64> {
+        let lists = [&self.reflected, &self.transmitted, &self.absorbed, &self.turned, &self.passed];
+        std::iter::once(self.launched).chain(lists.into_iter().flatten().copied())
+    }
+
     /// Counts of each slab by itself.
-    pub fn spread(&self) -> Counts {
+    pub(crate) fn spread(&self) -> Counts {
         let upwards = |cells: &[u64], width| if self.nested { running(cells, width) } else { cells.to_vec() };
         let mut scatterings = upwards(&self.turned, 1);
         sum_into(&mut scatterings, &self.passed);
@@ -96,14 +139,14 @@ impl Tally {
 }
 
 fn sum_into(sum: &mut [u64], terms: &[u64]) {
-    sum.iter_mut().zip(terms).for_each(|(a, b)| *a += b);
+    sum.iter_mut().zip(terms).for_each(|(a, b)| *a = a.saturating_add(*b));
 }
 
 /// Running sums over rows of `width` cells.
 fn running(cells: &[u64], width: usize) -> Vec<u64> {
     let mut sums = cells.to_vec();
     for cell in width..sums.len() {
-        sums[cell] += sums[cell - width];
+        sums[cell] = sums[cell].saturating_add(sums[cell - width]);
     }
     sums
 }
@@ -130,7 +173,7 @@ impl Counts {
         match order {
             Order::Exactly(n) => row[..self.bins - 1].get(n as usize).copied().unwrap_or(0),
             Order::Tail => row[self.bins - 1],
-            Order::Total => row.iter().sum(),
+            Order::Total => row.iter().fold(0, |sum, count| u64::saturating_add(sum, *count)),
         }
     }
 
@@ -142,7 +185,7 @@ impl Counts {
     }
 
     fn add(&mut self, other: &Self) {
-        self.launched += other.launched;
+        self.launched = self.launched.saturating_add(other.launched);
         sum_into(&mut self.reflected, &other.reflected);
         sum_into(&mut self.transmitted, &other.transmitted);
         sum_into(&mut self.absorbed, &other.absorbed);
@@ -166,8 +209,8 @@ impl Counts {
     /// All photons of slab `thickness` that ended somewhere.
     pub fn ended(&self, thickness: usize) -> u64 {
         let total = |quantity| self.of(thickness, quantity);
-        total(Quantity::Reflectance(Order::Total))
-            + total(Quantity::Transmittance(Order::Total))
-            + self.absorbed[thickness]
+        let left = total(Quantity::Reflectance(Order::Total));
+        left.saturating_add(total(Quantity::Transmittance(Order::Total)))
+            .saturating_add(self.absorbed[thickness])
     }
 }

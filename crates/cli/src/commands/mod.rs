@@ -8,6 +8,7 @@ pub mod codegen;
 pub mod compare;
 pub mod errors;
 pub mod export;
+pub mod merge;
 pub mod mie;
 pub mod nearest;
 pub mod optics;

@@ -33,7 +33,7 @@ pub fn run(args: &SolveArgs) -> Result<Data, CliError> {
     let solved = solver.orders(&args.slab.tau, &incidences, args.orders).map_err(pipeline::trace_error)?;
     let results = rows(&solved);
     if !args.json {
-        return order_rows::csv(&medium, results);
+        return order_rows::csv(medium.record().medium, results);
     }
     let inputs = (medium.record(), &args.slab.tau, &args.slab.mu0, tolerance, args.orders);
     let method =

@@ -57,6 +57,11 @@ fn refuse_flux_options(args: &TraceArgs) -> Result<(), CliError> {
     if args.std_error.is_some() {
         return refuse("--std-error is for fluxes: with --view-mu, --photons alone says how long");
     }
+    if args.spread.checkpoint.is_some() || args.spread.shard.is_some() {
+        return refuse(
+            "--checkpoint and --shard are for fluxes: radiance is summed in the order of the photons",
+        );
+    }
     if args.estimator == Some(Estimator::HalfSpace) {
         return refuse("--estimator half-space keeps no directions: radiance is scored by the plain tracer");
     }

@@ -39,3 +39,14 @@ pub fn config(replacements: &[(&str, &str)]) -> String {
         text.replacen(from, to, 1)
     })
 }
+
+/// Checks that `output` refuses with a message holding every part of `says`.
+pub fn refused(what: &str, output: &Output, says: &[&str]) {
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{what}: {error}");
+    assert!(output.stdout.is_empty(), "{what}: stdout is not empty");
+    for part in says {
+        assert!(error.contains(part), "{what}: `{part}` is not in: {error}");
+    }
+    assert!(!error.contains("panicked"), "{what}: {error}");
+}

@@ -1,0 +1,14 @@
+//! Tracing fluxes in one process or many: what is traced, what some of its photons have counted, and the file that
+//! keeps it between processes and across kills.
+//!
+//! A process traces its share of every incidence into [`RunParts`]; those of all shares merge into what one process
+//! would have, and print the same bytes.
+
+mod checkpoint;
+mod parts;
+mod run;
+mod seal;
+
+pub use checkpoint::Checkpoint;
+pub use parts::RunParts;
+pub use run::TraceRun;
