@@ -65,9 +65,9 @@ fn trace(ranks: &Ranks, args: &TraceArgs, talk: Talk) -> Result<Option<RunParts>
     let say = |error| ranks.say(error);
     let medium = ranks.agree(Medium::parse(&args.medium), say)?;
     let run = TraceRun::new(args, &medium);
-    let jobs = ranks.agree(run.jobs(&medium), say)?;
-    let mut parts = RunParts::nothing(run, ranks.agree(ranks.share(), say)?, &jobs);
+    let engines = ranks.agree(run.engines(&medium), say)?;
+    let mut parts = RunParts::nothing(run, ranks.agree(ranks.share(), say)?, &engines);
     let checkpoint = ranks.agree(Checkpoint::resumed(&args.spread, &mut parts, talk), say)?;
-    let traced = parts.trace_keeping(&jobs, checkpoint, talk).and_then(|()| ranks.sum(parts));
+    let traced = parts.trace_keeping(&engines, checkpoint, talk).and_then(|()| ranks.sum(parts));
     Ok(traced.unwrap_or_else(|error| ranks.end_all(error)))
 }

@@ -19,5 +19,5 @@ pub use kolmogorov_smirnov::{
     KolmogorovSmirnov, KolmogorovSmirnovError, kolmogorov_smirnov, kolmogorov_smirnov_two_sample,
 };
 pub use proportions::{Hits, p_value_of_share, p_value_of_two};
-pub use stream::{Purpose, key, photon_stream};
+pub use stream::{Purpose, key, photon_seed, photon_stream};
 pub use z::{family_threshold, z_score};

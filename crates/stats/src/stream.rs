@@ -39,6 +39,7 @@ impl Purpose {
 const GOLDEN_GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// The finaliser of SplitMix64: a bijection of 64-bit words that spreads every bit.
+#[inline(always)]
 const fn mix(word: u64) -> u64 {
     let word = word.wrapping_add(GOLDEN_GAMMA);
     let word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -51,11 +52,18 @@ pub fn key(seed: u64, purpose: Purpose) -> u64 {
     mix(mix(seed) ^ mix(purpose.code()))
 }
 
+/// What [`Pcg32::new`] takes for the generator of photon `index` under `key`: state and stream.
+#[inline(always)]
+pub const fn photon_seed(key: u64, index: u64) -> (u64, u64) {
+    let state = mix(key ^ mix(index));
+    (state, mix(state))
+}
+
 /// The generator of photon `index` under `key`.
 #[inline]
 pub fn photon_stream(key: u64, index: u64) -> Pcg32 {
-    let state = mix(key ^ mix(index));
-    Pcg32::new(state, mix(state))
+    let (state, stream) = photon_seed(key, index);
+    Pcg32::new(state, stream)
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ pub(crate) fn uniform(bits: u32) -> f64 {
 ///
 /// ξ = 2ᵏm with m ∈ \[√½, √2), and ln m = 2 artanh s = 2s(1 + s²/3 + s⁴/5 + …), s = (m-1)/(m+1), |s| < 0.172.
 #[inline(always)]
-pub(crate) fn exponential(bits: u32) -> f64 {
+pub(crate) fn optical_path(bits: u32) -> f64 {
     let word = uniform(bits).to_bits();
     // The exponent field, counted from √½ instead of from ½.
     let shifted = word.wrapping_sub((0.5 * SQRT_2).to_bits());
@@ -31,12 +31,12 @@ pub(crate) fn exponential(bits: u32) -> f64 {
     -(f64::from(exponent) * LN_2 + 2.0 * s * series)
 }
 
-/// cos πξ, the cosine of a uniform azimuth.
+/// The cosine of a uniform azimuth.
 ///
-/// cos πξ = sin y with y = π(½ - ξ), |y| < π/2, by Taylor's series up to y¹⁷.
+/// sin y with y = π(i+½)/2³², i the word as a signed number, |y| < π/2, by Taylor's series up to y¹⁷.
 #[inline(always)]
-pub(crate) fn cos_azimuth(bits: u32) -> f64 {
-    let y = PI * (0.5 - uniform(bits));
+pub(crate) fn azimuth_cosine(bits: u32) -> f64 {
+    let y = PI * WORD * (f64::from(bits as i32) + 0.5);
     y * horner(y * y, SINE)
 }
 
@@ -72,19 +72,19 @@ mod tests {
     }
 
     #[test]
-    fn exponential_is_the_logarithm() {
+    fn the_path_is_the_logarithm() {
         for bits in words() {
             let exact = -libm::log(uniform(bits));
-            let got = exponential(bits);
+            let got = optical_path(bits);
             assert!((got - exact).abs() <= 5e-14 && got > 0.0, "{bits}: {got} {exact}");
         }
     }
 
     #[test]
-    fn azimuth_is_the_cosine() {
+    fn the_azimuth_is_the_sine() {
         for bits in words() {
-            let exact = libm::cos(PI * uniform(bits));
-            let got = cos_azimuth(bits);
+            let exact = libm::sin(PI * (f64::from(bits as i32) + 0.5) * WORD);
+            let got = azimuth_cosine(bits);
             assert!((got - exact).abs() <= 1e-13, "{bits}: {got} {exact}");
         }
     }

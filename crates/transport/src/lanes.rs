@@ -1,156 +1,220 @@
-//! Thirty-two photons side by side: the arithmetic of one collision and one flight, as loops over arrays.
+//! Sixty-four photons side by side: the arithmetic of one collision and one flight, as loops over arrays.
 //!
 //! The number of lanes is fixed and each photon draws from its own stream, so the instruction set that the
-//! processor offers changes the speed and nothing else. The generator is PCG-XSH-RR 64/32 (O'Neill 2014),
-//! continued from the state of [`Pcg32`].
+//! processor offers changes the speed and nothing else. The generator is PCG-XSH-RR 64/32 (O'Neill 2014). Loops are
+//! long enough for the compiler to keep them loops, which it then turns into vectors of any width.
 
-use crate::kernels::{cos_azimuth, exponential};
-use rand_pcg::Pcg32;
-use stratiform_optics::sampling::SamplingTable;
+use crate::real::Real;
 
-/// Photons traced side by side.
-pub(crate) const LANES: usize = 32;
-/// Depth of a lane without a photon: no flight leads out of it.
-const PARKED: f64 = 1e300;
+/// Photons of one block.
+pub(crate) const LANES: usize = 64;
 const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
 
 type Lane<T> = [T; LANES];
 
-/// The state of every lane.
-pub(crate) struct Lanes {
-    state: Lane<u64>,
-    increment: Lane<u64>,
-    mu: Lane<f64>,
-    pub depth: Lane<f64>,
-    /// The next depth to be counted; infinite for parked lanes.
-    pub bottom: Lane<f64>,
-    pub order: Lane<u32>,
-    pub absorbed: Lane<bool>,
+/// What a lane holds: `batch` says whose tally counts it, `bottom` is the next depth at which something is counted, `slab` its index, and `born` the step
+/// at which the photon had no scattering yet.
+pub(crate) struct Photon<R> {
+    pub state: u64,
+    pub increment: u64,
+    pub mu: R,
+    pub depth: R,
+    pub bottom: R,
+    pub batch: u32,
+    pub slab: u32,
+    pub born: u32,
 }
 
-impl Lanes {
+/// Sixty-four photons, field by field.
+#[repr(C, align(64))]
+#[derive(Clone)]
+pub(crate) struct Block<R> {
+    pub streams: Streams,
+    pub mu: Lane<R>,
+    pub depth: Lane<R>,
+    pub bottom: Lane<R>,
+    pub batch: Lane<u32>,
+    pub slab: Lane<u32>,
+    pub born: Lane<u32>,
+}
+
+/// What a step brought about, one bit per lane.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Events {
+    /// There is something to count: the photon passed its bottom or the top, or was absorbed.
+    pub any: u64,
+    pub absorbed: u64,
+}
+
+impl<R: Real> Block<R> {
     /// No photon anywhere.
     pub fn parked() -> Self {
         Self {
-            state: [0; LANES],
-            increment: [1; LANES],
-            mu: [0.0; LANES],
-            depth: [PARKED; LANES],
-            bottom: [f64::INFINITY; LANES],
-            order: [0; LANES],
-            absorbed: [false; LANES],
+            streams: Streams::default(),
+            mu: [R::ZERO; LANES],
+            depth: [R::PARKED; LANES],
+            bottom: [R::INFINITY; LANES],
+            batch: [0; LANES],
+            slab: [0; LANES],
+            born: [0; LANES],
         }
     }
 
-    /// A photon that has made its first flight.
-    pub fn place(&mut self, lane: usize, rng: &Pcg32, mu: f64, depth: f64, bottom: f64) {
-        self.state[lane] = rng.state();
-        self.increment[lane] = (rng.stream() << 1) | 1;
-        self.mu[lane] = mu;
-        self.depth[lane] = depth;
-        self.bottom[lane] = bottom;
-        self.order[lane] = 0;
+    #[inline(always)]
+    pub fn place(&mut self, lane: usize, photon: Photon<R>) {
+        self.streams.state[lane] = photon.state;
+        self.streams.increment[lane] = photon.increment;
+        self.mu[lane] = photon.mu;
+        self.depth[lane] = photon.depth;
+        self.bottom[lane] = photon.bottom;
+        self.batch[lane] = photon.batch;
+        self.slab[lane] = photon.slab;
+        self.born[lane] = photon.born;
+    }
+
+    pub fn photon(&self, lane: usize) -> Photon<R> {
+        Photon {
+            state: self.streams.state[lane],
+            increment: self.streams.increment[lane],
+            mu: self.mu[lane],
+            depth: self.depth[lane],
+            bottom: self.bottom[lane],
+            batch: self.batch[lane],
+            slab: self.slab[lane],
+            born: self.born[lane],
+        }
     }
 
     pub fn park(&mut self, lane: usize) {
-        self.depth[lane] = PARKED;
-        self.bottom[lane] = f64::INFINITY;
+        self.depth[lane] = R::PARKED;
+        self.bottom[lane] = R::INFINITY;
     }
 
-    pub fn is_parked(&self, lane: usize) -> bool {
-        self.bottom[lane] == f64::INFINITY
+    /// One collision and the flight after it in every lane. A collision absorbs where its random word is not below
+    /// `absorbs_from`.
+    #[inline(always)]
+    pub fn collide_and_fly(&mut self, table: &R::Table, absorbs_from: u64) -> Events {
+        let absorbed = self.absorb(absorbs_from);
+        let angles = R::sample(table, &self.streams.draw());
+        let azimuths = self.streams.draw();
+        let paths = self.streams.draw();
+        for k in 0..LANES {
+            let mu = self.mu[k].scattered(angles[k], R::azimuth_cosine(azimuths[k]));
+            self.mu[k] = mu;
+            self.depth[k] = self.depth[k] + mu * R::optical_path(paths[k]);
+        }
+        Events { any: absorbed | self.left(), absorbed }
     }
 
+    #[inline(always)]
+    fn absorb(&mut self, absorbs_from: u64) -> u64 {
+        if absorbs_from >= 1 << 32 {
+            return 0;
+        }
+        let words = self.streams.draw();
+        let mut absorbed = [0; LANES];
+        for k in 0..LANES {
+            absorbed[k] = u8::from(words[k] >= absorbs_from as u32);
+        }
+        gathered(&absorbed)
+    }
+
+    /// The lanes whose photon is above the top or below its bottom.
+    #[inline(always)]
+    fn left(&self) -> u64 {
+        let mut left = [0; LANES];
+        for k in 0..LANES {
+            left[k] = u8::from((self.depth[k] < R::ZERO) | (self.depth[k] >= self.bottom[k]));
+        }
+        gathered(&left)
+    }
+}
+
+/// One generator per lane.
+#[repr(C, align(64))]
+#[derive(Clone)]
+pub(crate) struct Streams {
+    pub state: Lane<u64>,
+    /// Odd.
+    pub increment: Lane<u64>,
+}
+
+impl Default for Streams {
+    fn default() -> Self {
+        Self { state: [0; LANES], increment: [1; LANES] }
+    }
+}
+
+impl Streams {
     /// One random word per lane.
     #[inline(always)]
-    fn draw(&mut self) -> Lane<u32> {
+    pub fn draw(&mut self) -> Lane<u32> {
+        let halves: &Lane<[u32; 2]> = bytemuck::cast_ref(&self.state);
         let mut words = [0; LANES];
-        for (word, (state, increment)) in words.iter_mut().zip(self.state.iter_mut().zip(&self.increment)) {
-            *word = output(*state);
-            *state = state.wrapping_mul(MULTIPLIER).wrapping_add(*increment);
+        for k in 0..LANES {
+            words[k] = output(halves[k]);
         }
+        self.advance();
         words
     }
 
     #[inline(always)]
-    fn absorb(&mut self, absorbs_from: u64) {
-        if absorbs_from < 1 << 32 {
-            let words = self.draw();
-            for (absorbed, word) in self.absorbed.iter_mut().zip(words) {
-                *absorbed = u64::from(word) >= absorbs_from;
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn scatter(&mut self, table: &SamplingTable) {
-        let angles = table.sample_all(&self.draw());
-        let azimuths = self.draw();
-        for (mu, (v, azimuth)) in self.mu.iter_mut().zip(angles.iter().zip(azimuths)) {
-            let sine = ((1.0 - *mu * *mu).max(0.0) * v * (2.0 - v)).sqrt();
-            *mu = *mu * (1.0 - v) + sine * cos_azimuth(azimuth);
-        }
-        self.order.iter_mut().for_each(|order| *order += 1);
-    }
-
-    #[inline(always)]
-    fn fly(&mut self) {
-        let paths = self.draw();
-        for (depth, (mu, path)) in self.depth.iter_mut().zip(self.mu.iter().zip(paths)) {
-            *depth += mu * exponential(path);
-        }
-    }
-
-    /// Bit k is set where lane k left its layer or was absorbed.
-    #[inline(always)]
-    fn events(&self) -> u32 {
-        let mut events = 0;
+    pub fn advance(&mut self) {
         for k in 0..LANES {
-            let left = (self.depth[k] < 0.0) | (self.depth[k] >= self.bottom[k]) | self.absorbed[k];
-            events |= u32::from(left) << k;
+            self.state[k] = self.state[k].wrapping_mul(MULTIPLIER).wrapping_add(self.increment[k]);
         }
-        events
     }
 }
 
-/// One collision and the flight after it in every lane; returns the lanes in which there is something to count.
-/// A collision absorbs where its random word is not below `absorbs_from`.
-#[multiversion::multiversion(targets(
-    "x86_64+avx512f+avx512bw+avx512cd+avx512dq+avx512vl+avx2+fma",
-    "x86_64+avx2"
-))]
-pub(crate) fn collide_and_fly(lanes: &mut Lanes, table: &SamplingTable, absorbs_from: u64) -> u32 {
-    lanes.absorb(absorbs_from);
-    lanes.scatter(table);
-    lanes.fly();
-    lanes.events()
+/// The permutation of PCG-XSH-RR, of the two halves of a state as they lie in memory.
+#[inline(always)]
+fn output(halves: [u32; 2]) -> u32 {
+    let [low, high] = if cfg!(target_endian = "little") { halves } else { [halves[1], halves[0]] };
+    let shifted = ((high << 5) | (low >> 27)) ^ (high >> 13);
+    shifted.rotate_right(high >> 27)
 }
 
-/// The permutation of PCG-XSH-RR.
+/// Bit k is byte k, each of which is 0 or 1.
 #[inline(always)]
-fn output(state: u64) -> u32 {
-    let shifted = (((state >> 18) ^ state) >> 27) as u32;
-    shifted.rotate_right((state >> 59) as u32)
+fn gathered(bytes: &Lane<u8>) -> u64 {
+    let mut bits = 0;
+    for (k, eight) in bytes.as_chunks::<8>().0.iter().enumerate() {
+        let spread = u64::from_le_bytes(*eight).wrapping_mul(0x0102_0408_1020_4080);
+        bits |= (spread >> 56) << (8 * k);
+    }
+    bits
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use rand::Rng;
+    use rand_pcg::Pcg32;
     use stratiform_stats::{Purpose, key, photon_stream};
 
     #[test]
     fn every_lane_continues_its_generator() {
-        let mut lanes = Lanes::parked();
+        let mut streams = Streams::default();
         let stream = |lane| photon_stream(key(1, Purpose::Calibration), lane as u64);
-        let mut streams: Vec<Pcg32> = (0..LANES).map(stream).collect();
-        for (lane, rng) in streams.iter_mut().enumerate() {
+        let mut single: Vec<Pcg32> = (0..LANES).map(stream).collect();
+        for (lane, rng) in single.iter_mut().enumerate() {
             rng.next_u32();
-            lanes.place(lane, rng, 1.0, 0.0, 1.0);
+            streams.state[lane] = rng.state();
+            streams.increment[lane] = (rng.stream() << 1) | 1;
         }
         for _ in 0..1000 {
-            let words = lanes.draw();
-            assert!(streams.iter_mut().zip(words).all(|(rng, word)| rng.next_u32() == word));
+            let words = streams.draw();
+            assert!(single.iter_mut().zip(words).all(|(rng, word)| rng.next_u32() == word));
         }
+    }
+
+    #[test]
+    fn bytes_become_bits() {
+        for lane in 0..LANES {
+            let mut bytes = [0; LANES];
+            bytes[lane] = 1;
+            assert_eq!(gathered(&bytes), 1 << lane);
+        }
+        assert_eq!(gathered(&[1; LANES]), u64::MAX);
     }
 }

@@ -5,9 +5,9 @@
 //! full medium is P_f = 0.
 
 use crate::TransportError;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use stratiform_optics::phase::PhaseFunction;
-use stratiform_optics::sampling::SamplingTable;
+use stratiform_optics::sampling::{LinearPieces, SamplingTable};
 use stratiform_quantities::{Medium, Range, SingleScatteringAlbedo};
 
 /// A medium ready to be traced.
@@ -16,14 +16,21 @@ pub struct TraceMedium {
     medium: Medium,
     extinction: f64,
     albedo: f64,
-    table: SamplingTable,
+    phase: Arc<dyn PhaseFunction>,
+    tables: Arc<Tables>,
+}
+
+/// Samplers of the phase function, each made when first asked for.
+#[derive(Default)]
+struct Tables {
+    double: OnceLock<SamplingTable>,
+    single: OnceLock<LinearPieces>,
 }
 
 impl TraceMedium {
     /// The medium as it is.
     pub fn full(phase: Arc<dyn PhaseFunction>, omega: SingleScatteringAlbedo) -> Self {
-        let table = SamplingTable::new(phase);
-        Self { medium: Medium::Full, extinction: 1.0, albedo: omega.get(), table }
+        Self { medium: Medium::Full, extinction: 1.0, albedo: omega.get(), phase, tables: Arc::default() }
     }
 
     /// The medium whose forward events count as no scattering. `phase` is P_S, already without them;
@@ -40,7 +47,7 @@ impl TraceMedium {
         let forward = range.check("forward_fraction", forward_fraction)?;
         let extinction = 1.0 - omega.get() * forward;
         let albedo = (omega.get() * (1.0 - forward) / extinction).min(1.0);
-        Ok(Self { medium: Medium::Modified, extinction, albedo, table: SamplingTable::new(phase) })
+        Ok(Self { medium: Medium::Modified, extinction, albedo, phase, tables: Arc::default() })
     }
 
     /// Full or modified.
@@ -58,8 +65,18 @@ impl TraceMedium {
         self.albedo
     }
 
+    /// The phase function.
+    pub fn phase(&self) -> &Arc<dyn PhaseFunction> {
+        &self.phase
+    }
+
     /// The phase function, tabulated.
     pub fn table(&self) -> &SamplingTable {
-        &self.table
+        self.tables.double.get_or_init(|| SamplingTable::new(self.phase.clone()))
+    }
+
+    /// The phase function as straight pieces in single precision.
+    pub fn pieces(&self) -> &LinearPieces {
+        self.tables.single.get_or_init(|| LinearPieces::new(self.phase.as_ref()))
     }
 }

@@ -80,6 +80,18 @@ impl Tally {
         self.turned[first] += u64::from(order);
     }
 
+    /// [`reflect`](Self::reflect) or [`transmit`](Self::transmit), without a branch between them.
+    #[inline(always)]
+    pub fn leave(&mut self, up: bool, thickness: usize, order: u32) {
+        let cell = self.cell(thickness, order);
+        let (cells, sums) = match up {
+            true => (&mut self.reflected, &mut self.turned),
+            false => (&mut self.transmitted, &mut self.passed),
+        };
+        cells[cell] += 1;
+        sums[thickness] += u64::from(order);
+    }
+
     /// A photon is absorbed in slab `first` (if nested, in every slab from there on) after `order` scatterings.
     #[inline]
     pub fn absorb(&mut self, first: usize, order: u32) {

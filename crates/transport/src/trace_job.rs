@@ -9,7 +9,8 @@ use crate::half_space::HalfSpace;
 use crate::plain::Plain;
 use crate::run::{Estimator, trace_cells};
 use crate::{
-    Cell, Control, Identity, Part, Share, Tally, TraceMedium, TraceRequest, TransportError, fingerprint,
+    Cell, Control, Identity, Kernel, Part, Share, Tally, TraceMedium, TraceRequest, TransportError,
+    fingerprint,
 };
 use std::fmt;
 use std::ops::Range;
@@ -43,7 +44,7 @@ impl<'a> Engine<'a> {
     pub fn new(tracer: Tracer, medium: &'a TraceMedium, request: &TraceRequest) -> Self {
         let tau = ascending(&request.tau).0;
         match tracer {
-            Tracer::HalfSpace => Self::HalfSpace(HalfSpace::new(medium, request, &tau)),
+            Tracer::HalfSpace => Self::HalfSpace(HalfSpace::new(Kernel::default(), medium, request, &tau)),
             Tracer::Plain => Self::Plain(Plain::new(medium, request, &tau)),
         }
     }

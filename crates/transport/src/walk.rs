@@ -63,10 +63,11 @@ impl Walk<'_> {
 
     /// A new direction at the sampled angle from `direction`.
     fn scatter(&self, direction: DVec3, rng: &mut Pcg32) -> DVec3 {
-        let v = self.medium.table().phase().invert(uniform(rng));
+        let v = self.medium.phase().invert(uniform(rng));
         let azimuth = TAU * uniform(rng);
         let (across, up) = direction.any_orthonormal_pair();
-        let sideways = across * libm::cos(azimuth) + up * libm::sin(azimuth);
+        let (sine, cosine) = libm::sincos(azimuth);
+        let sideways = across * cosine + up * sine;
         (direction * (1.0 - v) + sideways * (v * (2.0 - v)).sqrt()).normalize()
     }
 }

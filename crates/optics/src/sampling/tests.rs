@@ -1,6 +1,6 @@
 //! The table against the cumulatives of the functions it was made from.
 
-use super::SamplingTable;
+use super::{LinearPieces, SamplingTable};
 use crate::phase::{HenyeyGreenstein, Isotropic, Modified, PhaseFunction, PhaseTable};
 use rand::Rng;
 use std::sync::Arc;
@@ -168,4 +168,30 @@ fn samples_follow_the_cumulative() {
 #[test]
 fn a_planted_asymmetry_is_rejected() {
     assert!(p_value(Arc::new(hg(0.8415)), &hg(0.85), 11) < 1e-4);
+}
+
+/// Legendre moments 0…63 of the samples of 2²⁰ evenly spaced words.
+fn sampled_moments(pieces: &LinearPieces) -> Vec<f64> {
+    let mut sums = vec![0.0; 64];
+    for k in 0..1_u32 << 20 {
+        let x = 1.0 - f64::from(pieces.sample((k << 12) + 2048));
+        let (mut before, mut value) = (0.0, 1.0);
+        for (l, sum) in sums.iter_mut().enumerate() {
+            *sum += value;
+            let l = l as f64;
+            (before, value) = (value, ((2.0 * l + 1.0) * x * value - l * before) / (l + 1.0));
+        }
+    }
+    sums.iter().map(|sum| sum / f64::from(1 << 20)).collect()
+}
+
+#[test]
+fn straight_pieces_keep_the_moments() {
+    for (name, phase) in functions().into_iter().filter(|(name, _)| *name != "gap") {
+        let pieces = LinearPieces::new(phase.as_ref());
+        let (exact, got) = (phase.moments(64), sampled_moments(&pieces));
+        let errors: Vec<f64> = exact.iter().zip(&got).map(|(a, b)| (a - b).abs()).collect();
+        let worst = errors.iter().copied().fold(0.0, f64::max);
+        assert!(worst < 1e-6, "{name}: {worst:e}");
+    }
 }

@@ -129,7 +129,7 @@ impl<'a> Scene<'a> {
     /// Adds what `collision` sends to every viewer.
     fn score(&self, collision: &Collision, photon: &mut [f64]) {
         let (medium, bottom) = (self.walk.medium, self.walk.bottom);
-        let phase = medium.table().phase().as_ref();
+        let phase = medium.phase().as_ref();
         for (sight, sum) in self.sights.iter().zip(photon) {
             let way = if sight.side == Side::Top { collision.depth } else { bottom - collision.depth };
             let arrives = libm::exp(-way / sight.mu);
@@ -157,7 +157,7 @@ fn enter(photon: &mut [f64], scores: &mut [Score], cells: usize, views: usize) {
 
 /// The largest score of one event: of order 1, where Θ is given, and of any order.
 fn largest_events(medium: &TraceMedium, request: &RadianceRequest, views: &[View]) -> Vec<[f64; 2]> {
-    let phase = medium.table().phase().as_ref();
+    let phase = medium.phase().as_ref();
     let peak = largest_value(phase);
     let event = |view: &View| {
         let scale = 0.25 * medium.albedo() / view.mu;

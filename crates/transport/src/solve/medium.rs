@@ -88,7 +88,7 @@ impl From<&TraceMedium> for SolveMedium {
             medium: traced.medium(),
             extinction: traced.extinction(),
             albedo: traced.albedo(),
-            source: Source::Phase(traced.table().phase().clone()),
+            source: Source::Phase(traced.phase().clone()),
         }
     }
 }
