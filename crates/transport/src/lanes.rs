@@ -18,8 +18,8 @@ pub(crate) struct Row<T>(pub [T; LANES]);
 /// One bit per lane.
 pub(crate) type Mask = u128;
 
-/// What a lane holds: `batch` says whose tally counts it, `bottom` is the next depth at which something is counted, `slab` its index, `order` counts the
-/// photon's scatterings.
+/// A photon about to be scattered for the first time: `batch` says whose tally counts it, `bottom` is the next depth
+/// at which something is counted, `slab` its index.
 pub(crate) struct Photon<R> {
     pub state: u64,
     pub increment: u64,
@@ -28,7 +28,6 @@ pub(crate) struct Photon<R> {
     pub bottom: R,
     pub batch: u32,
     pub slab: u32,
-    pub order: u32,
 }
 
 /// Photons field by field.
@@ -79,20 +78,7 @@ impl<R: Real> Block<R> {
         self.bottom.0[lane] = photon.bottom;
         self.batch.0[lane] = photon.batch;
         self.slab.0[lane] = photon.slab;
-        self.born.0[lane] = self.steps.wrapping_sub(photon.order);
-    }
-
-    pub fn photon(&self, lane: usize) -> Photon<R> {
-        Photon {
-            state: self.streams.state.0[lane],
-            increment: self.streams.increment.0[lane],
-            mu: self.mu.0[lane],
-            depth: self.depth.0[lane],
-            bottom: self.bottom.0[lane],
-            batch: self.batch.0[lane],
-            slab: self.slab.0[lane],
-            order: self.order(lane),
-        }
+        self.born.0[lane] = self.steps;
     }
 
     /// Scatterings of the photon in `lane`.
