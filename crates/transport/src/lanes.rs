@@ -162,8 +162,8 @@ impl Streams {
     pub fn draw(&mut self) -> Row<u32> {
         let halves: &[[u32; 2]; LANES] = bytemuck::cast_ref(&self.state.0);
         let mut words = Row([0; LANES]);
-        for k in 0..LANES {
-            words.0[k] = output(halves[k]);
+        for (word, halves) in words.0.iter_mut().zip(halves) {
+            *word = output(*halves);
         }
         self.advance();
         words

@@ -32,9 +32,8 @@ impl Arrays {
 fn draw(arrays: &mut Arrays) {
     for row in 0..3 {
         let halves: &[[u32; 2]; N] = bytemuck::cast_ref(&arrays.state);
-        for k in 0..N {
-            let [low, high] = halves[k];
-            arrays.words[row][k] = (((high << 5) | (low >> 27)) ^ (high >> 13)).rotate_right(high >> 27);
+        for (word, &[low, high]) in arrays.words[row].iter_mut().zip(halves) {
+            *word = (((high << 5) | (low >> 27)) ^ (high >> 13)).rotate_right(high >> 27);
         }
         for k in 0..N {
             arrays.state[k] = arrays.state[k].wrapping_mul(MULTIPLIER).wrapping_add(arrays.increment[k]);
