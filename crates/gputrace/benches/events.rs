@@ -25,13 +25,24 @@ fn main() {
     let medium = TraceMedium::full(phase, SingleScatteringAlbedo::CONSERVATIVE);
     for tau in [1.0, 5.0, 16.0, 50.0] {
         let photons = (6e6 / tau) as u64;
-        let request = TraceRequest { tau: vec![tau], incidence: Incidence::beam(1.0).unwrap(), stop: Stop::Photons(photons), max_order: 20, seed: 1, stream: 0 };
+        let request = TraceRequest {
+            tau: vec![tau],
+            incidence: Incidence::beam(1.0).unwrap(),
+            stop: Stop::Photons(photons),
+            max_order: 20,
+            seed: 1,
+            stream: 0,
+        };
         for _ in 0..2 {
             let (start, cpu) = (Instant::now(), processor());
             let counts = tracer.trace(&medium, &request, Control::default()).unwrap();
             let time = start.elapsed().as_secs_f64();
             let events = (counts.mean_scatterings(0).value * counts.photons() as f64) as u64;
-            println!("{tau} {photons} {events} {:.2} ns {:.2} ns cpu", time * 1e9 / events as f64, (processor() - cpu) * 1e9 / events as f64);
+            println!(
+                "{tau} {photons} {events} {:.2} ns {:.2} ns cpu",
+                time * 1e9 / events as f64,
+                (processor() - cpu) * 1e9 / events as f64
+            );
         }
     }
 }

@@ -22,7 +22,14 @@ const TAU: [f64; 6] = [16.0, 0.0, 0.3, 50.0, 1.0, 5.0];
 const FEW: u64 = 4;
 
 fn request(incidence: Incidence) -> TraceRequest {
-    TraceRequest { tau: TAU.to_vec(), incidence, stop: Stop::Photons(PHOTONS), max_order: 12, seed: 5, stream: 2 }
+    TraceRequest {
+        tau: TAU.to_vec(),
+        incidence,
+        stop: Stop::Photons(PHOTONS),
+        max_order: 12,
+        seed: 5,
+        stream: 2,
+    }
 }
 
 fn incidences() -> [Incidence; 3] {

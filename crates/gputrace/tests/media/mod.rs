@@ -22,7 +22,9 @@ pub fn hg(g: f64, omega: f64) -> TraceMedium {
 /// The paper's cloud at 0.55 µm: γ = 2, r_e = 7 µm.
 fn droplets() -> Arc<dyn PhaseFunction> {
     let spec = EnsembleSpec {
-        droplets: &DropletDistribution::ModifiedGamma { gamma: 2.0, effective_radius_um: 7.0 }.resolve().unwrap(),
+        droplets: &DropletDistribution::ModifiedGamma { gamma: 2.0, effective_radius_um: 7.0 }
+            .resolve()
+            .unwrap(),
         number_density_per_cm3: 300.0,
         wavelength_um: 0.55,
         refractive_index: WaterTable::HaleQuerry1973.at(0.55).unwrap(),
