@@ -80,7 +80,7 @@ fn open_gpu() -> Result<Device, CliError> {
 fn error(error: GpuTraceError) -> CliError {
     match error {
         GpuTraceError::Transport(error) => pipeline::trace_error(error),
-        GpuTraceError::Books(_) => CliError::Failed(error.to_string()),
+        GpuTraceError::Books(_) | GpuTraceError::Stalled(_) => CliError::Failed(error.to_string()),
         GpuTraceError::Gpu(error) => pipeline::input_error(error),
     }
 }
