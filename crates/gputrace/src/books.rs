@@ -66,10 +66,7 @@ mod tests {
         let mut books = Books::default();
         books.enter(&[9, 9, 2, 1, 0, 6]).unwrap();
         books.enter(&[0, 0, 0, 3, 1, 4_u32.wrapping_neg()]).unwrap();
-        assert_eq!(
-            books,
-            Books { launched: 9, reflected: 2, transmitted: 4, absorbed: 1, in_flight: 2 }
-        );
+        assert_eq!(books, Books { launched: 9, reflected: 2, transmitted: 4, absorbed: 1, in_flight: 2 });
     }
 
     #[test]

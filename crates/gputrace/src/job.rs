@@ -33,7 +33,10 @@ impl<'a> GpuJob<'a> {
         let part = Part::of_engine(identity, request, true)?;
         for tau in &request.tau {
             let deepest = Range::closed(0.0, Kernel::SINGLE_DEPTH);
-            deepest.check("extinction of the medium times tau, on a graphics device", tau * medium.extinction())?;
+            deepest.check(
+                "extinction of the medium times tau, on a graphics device",
+                tau * medium.extinction(),
+            )?;
         }
         Ok(Self { tracer, medium, part })
     }

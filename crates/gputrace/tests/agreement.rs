@@ -16,13 +16,20 @@ use stratiform_gputrace::GpuTracer;
 use stratiform_quantities::{Incidence, Order};
 use stratiform_transport::{Control, Quantity, Stop, TraceMedium, TraceRequest, Traced, trace_half_space};
 
-const PHOTONS: u64 = 40_000;
+const PHOTONS: u64 = 20_000;
 const TAU: [f64; 6] = [16.0, 0.0, 0.3, 50.0, 1.0, 5.0];
 /// Photons by which a counter may differ.
 const FEW: u64 = 4;
 
 fn request(incidence: Incidence) -> TraceRequest {
-    TraceRequest { tau: TAU.to_vec(), incidence, stop: Stop::Photons(PHOTONS), max_order: 12, seed: 5, stream: 2 }
+    TraceRequest {
+        tau: TAU.to_vec(),
+        incidence,
+        stop: Stop::Photons(PHOTONS),
+        max_order: 12,
+        seed: 5,
+        stream: 2,
+    }
 }
 
 fn incidences() -> [Incidence; 3] {

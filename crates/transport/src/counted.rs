@@ -78,7 +78,11 @@ impl Counted {
     }
 
     /// The photons of `within` to trace next in one go, at most `longest`: none if nothing is left to do.
-    pub fn next_stretch(&mut self, within: &Range<u64>, longest: u64) -> Result<Option<Stretch>, TransportError> {
+    pub fn next_stretch(
+        &mut self,
+        within: &Range<u64>,
+        longest: u64,
+    ) -> Result<Option<Stretch>, TransportError> {
         let Some(round) = self.next_round(within)? else { return Ok(None) };
         let mut within = within.clone();
         if self.request.stop.target().is_some() {

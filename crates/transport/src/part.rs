@@ -128,7 +128,11 @@ impl Part {
     ///
     /// # Errors
     /// As [`add`](Self::add).
-    pub fn add_stretch(&mut self, stretch: &Stretch, batches: &[Tally; Stretch::BATCHES]) -> Result<(), TransportError> {
+    pub fn add_stretch(
+        &mut self,
+        stretch: &Stretch,
+        batches: &[Tally; Stretch::BATCHES],
+    ) -> Result<(), TransportError> {
         batches.iter().try_for_each(|tally| self.check_shape(tally))?;
         self.counted.add_stretch(stretch, batches)
     }

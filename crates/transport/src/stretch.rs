@@ -60,14 +60,16 @@ mod tests {
     #[test]
     fn shares_are_those_of_the_formula() {
         let first_round = 3 * LONGEST;
-        for (length, from, to) in [(700, 5, 2 * LONGEST + 650), (LONGEST, 0, 3 * LONGEST), (2, LONGEST, 2 * LONGEST + 1)]
+        for (length, from, to) in
+            [(700, 5, 2 * LONGEST + 650), (LONGEST, 0, 3 * LONGEST), (2, LONGEST, 2 * LONGEST + 1)]
         {
             let last = first_round + 2 * LONGEST;
             let photons = first_round + from..first_round + to;
             let stretch = Stretch { photons: photons.clone(), first_round, last_round: last..last + length };
             let mut shares = [0; BATCHES];
             for photon in photons {
-                let (k, n) = if photon < last { (photon % LONGEST, LONGEST) } else { (photon - last, length) };
+                let (k, n) =
+                    if photon < last { (photon % LONGEST, LONGEST) } else { (photon - last, length) };
                 shares[((256 * (k + 1) - 1) / n) as usize] += 1;
             }
             assert_eq!(stretch.shares(), shares);

@@ -5,6 +5,7 @@
 //! would have, and print the same bytes.
 
 mod checkpoint;
+mod device;
 mod engine;
 mod parts;
 mod run;
@@ -12,6 +13,7 @@ mod seal;
 mod share;
 
 pub use checkpoint::Checkpoint;
+pub use device::Device;
 pub use engine::Engine;
 pub use parts::{RunParts, Snapshot};
 pub use run::TraceRun;
