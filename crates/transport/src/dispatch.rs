@@ -1,6 +1,6 @@
-//! Which arithmetic traces a batch: its precision, and the instructions that it is compiled to.
+//! Which arithmetic traces photons: its precision, and the instructions that it is compiled to.
 //!
-//! The instructions are chosen once per batch, so everything a batch does is compiled for them.
+//! The instructions are chosen once per job, so everything it does is compiled for them.
 
 use crate::Control;
 use crate::flock::Flock;
@@ -50,22 +50,23 @@ impl Kernel {
     }
 }
 
-/// One batch.
+/// Photons to trace in one go.
 pub(crate) struct Job<'a> {
     pub half_space: &'a HalfSpace<'a>,
-    pub photons: Range<u64>,
-    pub tally: &'a mut Tally,
+    pub photons: &'a [Range<u64>],
+    /// One for each range of photons.
+    pub tallies: &'a mut [Tally],
     pub control: Control<'a>,
 }
 
 impl Job<'_> {
     #[inline(always)]
     fn run<R: Real>(self) {
-        Flock::<R>::new(self.half_space, self.photons, self.tally).trace(self.control);
+        Flock::<R>::new(self.half_space, self.photons, self.tallies).trace(self.control);
     }
 }
 
-/// Traces a batch by `kernel`.
+/// Traces a job by `kernel`.
 pub(crate) fn dispatch(kernel: Kernel, job: Job<'_>) {
     let deepest = job.half_space.bottoms.last().copied().unwrap_or(0.0);
     match (kernel.precision(deepest), kernel.instructions) {

@@ -16,7 +16,7 @@ const PHOTONS: u64 = 500;
 
 /// The medium's name: extinction, albedo, and the phase function at 8192 equally probable angles.
 pub(crate) fn of_medium(medium: &TraceMedium) -> String {
-    let phase = medium.table().phase();
+    let phase = medium.phase();
     let angles = (0..ANGLES).flat_map(|k| {
         let v = phase.invert((f64::from(k) + 0.5) / f64::from(ANGLES));
         [v, phase.value(v)]

@@ -1,6 +1,6 @@
-//! The photons of one batch on their way through the lanes: they enter, are counted, and leave.
+//! Photons on their way through the lanes: they enter, are counted, and leave.
 //!
-//! Lanes in use are always the first ones: a photon that ends is replaced by the next one of the batch or, when none is
+//! Lanes in use are always the first ones: a photon that ends is replaced by the next one or, when none is
 //! left, by the photon of the last lane in use. A lane is looked at again only after all blocks have had their turn,
 //! so that what was written into it by itself has long reached the cache when it is read as part of a vector.
 
@@ -21,8 +21,8 @@ pub(crate) struct Flock<'a, R: Real> {
     table: &'a R::Table,
     /// Ascending, then infinity.
     bottoms: Vec<R>,
-    launches: Launches<R>,
-    tally: &'a mut Tally,
+    launches: Launches<'a, R>,
+    tallies: &'a mut [Tally],
     blocks: [Block<R>; BLOCKS],
     /// Lanes in use.
     used: usize,
@@ -30,12 +30,14 @@ pub(crate) struct Flock<'a, R: Real> {
 }
 
 impl<'a, R: Real> Flock<'a, R> {
-    pub fn new(half_space: &'a HalfSpace<'a>, photons: Range<u64>, tally: &'a mut Tally) -> Self {
-        tally.launch(photons.end - photons.start);
+    pub fn new(half_space: &'a HalfSpace<'a>, photons: &'a [Range<u64>], tallies: &'a mut [Tally]) -> Self {
+        for (photons, tally) in photons.iter().zip(tallies.iter_mut()) {
+            tally.launch(photons.end - photons.start);
+        }
         let bottoms = half_space.bottoms.iter().copied().chain([f64::INFINITY]).map(R::rounded).collect();
         let (launches, blocks) = (Launches::new(photons), std::array::from_fn(|_| Block::parked()));
         let table = R::table(half_space.medium);
-        Self { half_space, table, bottoms, launches, tally, blocks, used: 0, step: 0 }
+        Self { half_space, table, bottoms, launches, tallies, blocks, used: 0, step: 0 }
     }
 
     /// Traces all of them, or as far as they came when cancelled.
@@ -77,14 +79,15 @@ impl<'a, R: Real> Flock<'a, R> {
     #[inline(always)]
     fn settle(&mut self, lane: usize, absorbed: bool) {
         let (block, k) = (&self.blocks[lane / LANES], lane % LANES);
-        let (slab, depth, order) = (block.slab[k], block.depth[k], self.step.wrapping_sub(block.born[k]));
+        let (slab, depth, batch) = (block.slab[k], block.depth[k], block.batch[k]);
+        let order = self.step.wrapping_sub(block.born[k]);
         if absorbed {
-            self.tally.absorb(slab as usize, order - 1);
+            self.tallies[batch as usize].absorb(slab as usize, order - 1);
         } else {
             let up = depth < R::ZERO;
-            self.tally.leave(up, slab as usize, order);
+            self.tallies[batch as usize].leave(up, slab as usize, order);
             if !up {
-                let next = self.pass(slab as usize + 1, depth, order);
+                let next = self.pass(batch, slab as usize + 1, depth, order);
                 if next + 1 < self.bottoms.len() {
                     let block = &mut self.blocks[lane / LANES];
                     (block.slab[k], block.bottom[k]) = (next as u32, self.bottoms[next]);
@@ -99,9 +102,9 @@ impl<'a, R: Real> Flock<'a, R> {
 
     /// Counts the slabs from `slab` on whose bottoms are above `depth`; returns the first that is not.
     #[inline(always)]
-    fn pass(&mut self, mut slab: usize, depth: R, order: u32) -> usize {
+    fn pass(&mut self, batch: u32, mut slab: usize, depth: R, order: u32) -> usize {
         while depth >= self.bottoms[slab] {
-            self.tally.leave(false, slab, order);
+            self.tallies[batch as usize].leave(false, slab, order);
             slab += 1;
         }
         slab
@@ -111,8 +114,8 @@ impl<'a, R: Real> Flock<'a, R> {
     #[inline(always)]
     fn launch(&mut self, lane: usize) -> bool {
         while let Some(from) = self.launches.next(self.half_space.key, self.half_space.incidence) {
-            let depth = self.launches.depth[from];
-            let slab = self.pass(0, depth, 0);
+            let (depth, batch) = (self.launches.depth[from], self.launches.batch[from]);
+            let slab = self.pass(batch, 0, depth, 0);
             if slab + 1 < self.bottoms.len() {
                 let photon = Photon {
                     state: self.launches.streams.state[from],
@@ -120,6 +123,7 @@ impl<'a, R: Real> Flock<'a, R> {
                     mu: self.launches.mu[from],
                     depth,
                     bottom: self.bottoms[slab],
+                    batch,
                     slab: slab as u32,
                     born: self.step,
                 };

@@ -67,8 +67,14 @@ impl<'a> HalfSpace<'a> {
 impl Estimator for HalfSpace<'_> {
     const NESTED: bool = true;
 
+    const TOGETHER: usize = 64;
+
     fn trace(&self, photons: Range<u64>, tally: &mut Tally, control: Control<'_>) {
-        dispatch(self.kernel, Job { half_space: self, photons, tally, control });
+        self.trace_all(&[photons], std::slice::from_mut(tally), control);
+    }
+
+    fn trace_all(&self, photons: &[Range<u64>], tallies: &mut [Tally], control: Control<'_>) {
+        dispatch(self.kernel, Job { half_space: self, photons, tallies, control });
     }
 }
 

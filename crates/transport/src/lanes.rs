@@ -12,7 +12,7 @@ const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
 
 type Lane<T> = [T; LANES];
 
-/// What a lane holds: `bottom` is the next depth at which something is counted, `slab` its index, and `born` the step
+/// What a lane holds: `batch` says whose tally counts it, `bottom` is the next depth at which something is counted, `slab` its index, and `born` the step
 /// at which the photon had no scattering yet.
 pub(crate) struct Photon<R> {
     pub state: u64,
@@ -20,6 +20,7 @@ pub(crate) struct Photon<R> {
     pub mu: R,
     pub depth: R,
     pub bottom: R,
+    pub batch: u32,
     pub slab: u32,
     pub born: u32,
 }
@@ -32,6 +33,7 @@ pub(crate) struct Block<R> {
     pub mu: Lane<R>,
     pub depth: Lane<R>,
     pub bottom: Lane<R>,
+    pub batch: Lane<u32>,
     pub slab: Lane<u32>,
     pub born: Lane<u32>,
 }
@@ -52,6 +54,7 @@ impl<R: Real> Block<R> {
             mu: [R::ZERO; LANES],
             depth: [R::PARKED; LANES],
             bottom: [R::INFINITY; LANES],
+            batch: [0; LANES],
             slab: [0; LANES],
             born: [0; LANES],
         }
@@ -64,6 +67,7 @@ impl<R: Real> Block<R> {
         self.mu[lane] = photon.mu;
         self.depth[lane] = photon.depth;
         self.bottom[lane] = photon.bottom;
+        self.batch[lane] = photon.batch;
         self.slab[lane] = photon.slab;
         self.born[lane] = photon.born;
     }
@@ -75,6 +79,7 @@ impl<R: Real> Block<R> {
             mu: self.mu[lane],
             depth: self.depth[lane],
             bottom: self.bottom[lane],
+            batch: self.batch[lane],
             slab: self.slab[lane],
             born: self.born[lane],
         }

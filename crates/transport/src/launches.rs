@@ -8,42 +8,76 @@ use stratiform_stats::photon_seed;
 
 /// A row of photons after their first flight, of which those from `next` on are still to enter.
 #[repr(C, align(64))]
-pub(crate) struct Launches<R> {
+pub(crate) struct Launches<'a, R> {
     pub streams: Streams,
     pub mu: [R; LANES],
     pub depth: [R; LANES],
+    /// Which of the ranges a photon is from.
+    pub batch: [u32; LANES],
+    index: [u64; LANES],
     next: usize,
     ready: usize,
-    waiting: Range<u64>,
+    ranges: &'a [Range<u64>],
+    /// The present range, and how many of its photons have been prepared.
+    range: usize,
+    prepared: u64,
 }
 
-impl<R: Real> Launches<R> {
-    pub fn new(waiting: Range<u64>) -> Self {
-        let (mu, depth) = ([R::ZERO; LANES], [R::ZERO; LANES]);
-        Self { streams: Streams::default(), mu, depth, next: 0, ready: 0, waiting }
+impl<'a, R: Real> Launches<'a, R> {
+    pub fn new(ranges: &'a [Range<u64>]) -> Self {
+        Self {
+            streams: Streams::default(),
+            mu: [R::ZERO; LANES],
+            depth: [R::ZERO; LANES],
+            batch: [0; LANES],
+            index: [0; LANES],
+            next: 0,
+            ready: 0,
+            ranges,
+            range: 0,
+            prepared: 0,
+        }
     }
 
     /// The place of the next photon in this row, or `None` after the last one.
     #[inline(always)]
     pub fn next(&mut self, key: u64, incidence: Incidence) -> Option<usize> {
         if self.next == self.ready {
-            self.ready = (self.waiting.end - self.waiting.start).min(LANES as u64) as usize;
-            self.next = 0;
+            self.fill();
             if self.ready == 0 {
                 return None;
             }
             self.prepare(key, incidence);
-            self.waiting.start += self.ready as u64;
         }
         self.next += 1;
         Some(self.next - 1)
     }
 
-    /// The photons from `waiting.start` on.
+    /// Lists the photons of a new row.
+    #[inline(always)]
+    fn fill(&mut self) {
+        (self.next, self.ready) = (0, 0);
+        while let Some(range) = self.ranges.get(self.range) {
+            let (from, free) = (range.start + self.prepared, LANES - self.ready);
+            let count = (range.end - from).min(free as u64) as usize;
+            for k in 0..count {
+                self.index[self.ready + k] = from + k as u64;
+                self.batch[self.ready + k] = self.range as u32;
+            }
+            self.ready += count;
+            self.prepared += count as u64;
+            if self.ready == LANES {
+                return;
+            }
+            (self.range, self.prepared) = (self.range + 1, 0);
+        }
+    }
+
+    /// Streams, directions and first flights of a row.
     #[inline(always)]
     fn prepare(&mut self, key: u64, incidence: Incidence) {
         for k in 0..LANES {
-            let (state, stream) = photon_seed(key, self.waiting.start + k as u64);
+            let (state, stream) = photon_seed(key, self.index[k]);
             let increment = (stream << 1) | 1;
             self.streams.state[k] = state.wrapping_add(increment);
             self.streams.increment[k] = increment;

@@ -11,15 +11,27 @@ use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
+/// Groups of cells per thread, at least: enough for the threads to end together.
+const GROUPS: usize = 4;
+
 /// A way to trace photons.
 pub(crate) trait Estimator: Sync {
     /// Whether a photon's end counts for all thicker slabs too.
     const NESTED: bool;
     /// Most photons to trace between two looks at what else there is to do. Changes no number.
     const LONGEST: u64 = u64::MAX;
+    /// Most cells to trace in one go. Changes no number.
+    const TOGETHER: usize = 1;
 
     /// Traces the photons of these indices; stops anywhere once cancelled.
     fn trace(&self, photons: Range<u64>, tally: &mut Tally, control: Control<'_>);
+
+    /// The same for several ranges, each with its tally.
+    fn trace_all(&self, photons: &[Range<u64>], tallies: &mut [Tally], control: Control<'_>) {
+        for (photons, tally) in photons.iter().zip(tallies) {
+            self.trace(photons.clone(), tally, control);
+        }
+    }
 }
 
 /// Runs the estimator that `build` makes for the ascending thicknesses.
@@ -56,13 +68,15 @@ pub(crate) fn trace_cells<E: Estimator>(
     take: impl FnMut(&Cell, &Tally) -> Result<(), TransportError> + Send,
 ) -> Result<(), TransportError> {
     let take = Mutex::new(take);
-    cells.into_par_iter().try_for_each(|cell| {
-        let mut tally = empty.clone();
-        estimator.trace(cell.photons.clone(), &mut tally, control);
+    let together = (cells.len() / (GROUPS * rayon::current_num_threads())).clamp(1, E::TOGETHER);
+    cells.par_chunks(together).try_for_each(|cells| {
+        let photons: Vec<Range<u64>> = cells.iter().map(Cell::photons).collect();
+        let mut tallies = vec![empty.clone(); cells.len()];
+        estimator.trace_all(&photons, &mut tallies, control);
         if control.is_cancelled() {
             return Err(TransportError::Cancelled);
         }
         let mut take = take.lock().unwrap_or_else(PoisonError::into_inner);
-        take(&cell, &tally)
+        cells.iter().zip(&tallies).try_for_each(|(cell, tally)| take(cell, tally))
     })
 }

@@ -9,7 +9,8 @@ use crate::half_space::HalfSpace;
 use crate::plain::Plain;
 use crate::run::{Estimator, trace_cells};
 use crate::{
-    Cell, Control, Identity, Kernel, Part, Share, Tally, TraceMedium, TraceRequest, TransportError, fingerprint,
+    Cell, Control, Identity, Kernel, Part, Share, Tally, TraceMedium, TraceRequest, TransportError,
+    fingerprint,
 };
 use std::fmt;
 use std::ops::Range;

@@ -5,10 +5,14 @@
 //! would have, and print the same bytes.
 
 mod checkpoint;
+mod engine;
 mod parts;
 mod run;
 mod seal;
+mod share;
 
 pub use checkpoint::Checkpoint;
-pub use parts::RunParts;
+pub use engine::Engine;
+pub use parts::{RunParts, Snapshot};
 pub use run::TraceRun;
+pub use share::trace_share;

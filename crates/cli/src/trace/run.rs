@@ -1,5 +1,6 @@
 //! Everything that the printed bytes of a trace of fluxes depend on, and the printing.
 
+use super::Engine;
 use crate::args::{Estimator, TraceArgs};
 use crate::commands::order_rows;
 use crate::medium::Medium;
@@ -54,19 +55,29 @@ impl TraceRun {
         Ok(())
     }
 
-    /// One job per incidence.
+    /// One tracer per incidence.
     ///
     /// # Errors
     /// [`CliError::Input`] naming what is out of domain.
-    pub fn jobs<'a>(&self, medium: &'a Medium) -> Result<Vec<TraceJob<'a>>, CliError> {
+    pub fn engines<'a>(&self, medium: &'a Medium) -> Result<Vec<Box<dyn Engine + 'a>>, CliError> {
         let tracer = match self.estimator {
             Estimator::HalfSpace => Tracer::HalfSpace,
             Estimator::Plain => Tracer::Plain,
         };
-        let job = |incidence| {
-            TraceJob::new(tracer, medium.traced(), &self.request(incidence)).map_err(pipeline::trace_error)
+        let engine = |request| -> Result<Box<dyn Engine + 'a>, CliError> {
+            let job = TraceJob::new(tracer, medium.traced(), request).map_err(pipeline::trace_error)?;
+            Ok(Box::new(job))
         };
-        order_rows::parse_incidences(&self.mu0)?.into_iter().map(job).collect()
+        self.requests()?.iter().map(engine).collect()
+    }
+
+    /// One request per incidence.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] naming an incidence that is none.
+    pub fn requests(&self) -> Result<Vec<TraceRequest>, CliError> {
+        let incidences = order_rows::parse_incidences(&self.mu0)?;
+        Ok(incidences.into_iter().map(|incidence| self.request(incidence)).collect())
     }
 
     fn request(&self, incidence: Incidence) -> TraceRequest {

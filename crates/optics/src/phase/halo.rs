@@ -161,7 +161,7 @@ fn place(x: f64, count: usize) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::phase::{HenyeyGreenstein, Norm, versine};
+    use crate::phase::{HenyeyGreenstein, Norm, PhaseFunction, versine};
     use stratiform_quantities::Asymmetry;
 
     fn peaked() -> PhaseTable {
