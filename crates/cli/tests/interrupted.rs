@@ -45,7 +45,7 @@ fn a_run_that_is_interrupted_or_killed_leaves_whole_files() {
     let dir = tempfile::tempdir().unwrap();
     let long = config(&[
         ("source = \"solve\"", "source = \"trace\""),
-        ("photons = 250_000", "photons = 1_000_000_000\nphotons_between = 1_000"),
+        ("photons = 1_000_000", "photons = 1_000_000_000\nphotons_between = 1_000"),
         ("[0.65, 0.55, 0.45]", "[0.55]"),
     ]);
     fs::write(dir.path().join("long.toml"), long).unwrap();

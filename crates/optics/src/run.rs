@@ -5,6 +5,7 @@ use crate::config::OpticsConfig;
 use crate::droplets::SizeDistribution;
 use crate::ensemble::{Ensemble, EnsembleSpec, ensemble};
 use crate::phase::PhaseFunction;
+use rayon::prelude::*;
 use std::path::Path;
 use stratiform_artifact::{
     ForwardFraction, OpticsDocument, Provenance, SizeDensity, WavelengthOptics, create_folder, write_atomic,
@@ -17,7 +18,8 @@ const SIZE_SAMPLES: usize = 200;
 /// χ_l below this are not written.
 const SMALLEST_MOMENT: f64 = 1e-6;
 
-/// The averages at every wavelength, in the config's order.
+/// The averages at every wavelength, in the config's order. Wavelengths share the threads, and no number depends on how many
+/// there are.
 ///
 /// # Errors
 /// [`OpticsError`] for what the config gets wrong, or a quadrature that does not converge.
@@ -33,7 +35,9 @@ pub fn compute(config: &OpticsConfig) -> Result<Vec<Ensemble>, OpticsError> {
             tolerance: config.tolerance,
         })
     };
-    config.wavelengths_um.iter().map(one).collect()
+    // The first error in the config's order is the one told.
+    let all: Vec<Result<Ensemble, OpticsError>> = config.wavelengths_um.par_iter().map(one).collect();
+    all.into_iter().collect()
 }
 
 /// Writes `optics.json`, and per wavelength P, P_S and the moments, into `folder`; the document comes last.

@@ -7,7 +7,7 @@
 use crate::cells::{BATCHES, Cell, LONGEST, cells, fixed_round};
 use crate::photon_set::PhotonSet;
 use crate::tally::Tally;
-use crate::{Stop, TraceRequest, Traced, TransportError};
+use crate::{Stop, Stretch, TraceRequest, Traced, TransportError};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -77,22 +77,54 @@ impl Counted {
         Ok(Some(done..max_photons.min(done + length)))
     }
 
+    /// The photons of `within` to trace next in one go, at most `longest`: none if nothing is left to do.
+    pub fn next_stretch(
+        &mut self,
+        within: &Range<u64>,
+        longest: u64,
+    ) -> Result<Option<Stretch>, TransportError> {
+        let Some(round) = self.next_round(within)? else { return Ok(None) };
+        let mut within = within.clone();
+        if self.request.stop.target().is_some() {
+            self.round = round.clone();
+            within.end = round.end;
+        }
+        let stretch = |gap: &Range<u64>| {
+            let photons = gap.start..gap.end.min(gap.start.saturating_add(longest));
+            let last_round = match self.request.stop {
+                Stop::Photons(max) => fixed_round(photons.end - 1, max),
+                Stop::StdError { .. } => round.clone(),
+            };
+            Stretch { photons, first_round: round.start, last_round }
+        };
+        Ok(self.photons.gaps(&within).first().map(stretch))
+    }
+
     /// Adds what the photons of `cell` have counted.
     pub fn add(&mut self, cell: &Cell, tally: &Tally) -> Result<(), TransportError> {
-        let photons = cell.photons.clone();
-        if let Some(common) = self.photons.common(&photons) {
-            return Err(TransportError::CountedTwice { from: common.start, to: common.end });
-        }
-        if tally.launched != photons.end - photons.start {
-            return Err(TransportError::Launched {
-                from: photons.start,
-                to: photons.end,
-                launched: tally.launched,
-            });
-        }
+        self.check_uncounted(&cell.photons)?;
+        check_launched(&cell.photons, cell.photons.end - cell.photons.start, tally.launched)?;
         self.batches[cell.batch].add(tally);
-        self.photons.insert(photons);
+        self.photons.insert(cell.photons.clone());
         Ok(())
+    }
+
+    /// Adds what the photons of `stretch` have counted, batch by batch.
+    pub fn add_stretch(&mut self, stretch: &Stretch, batches: &[Tally]) -> Result<(), TransportError> {
+        self.check_uncounted(&stretch.photons)?;
+        for (share, batch) in stretch.shares().into_iter().zip(batches) {
+            check_launched(&stretch.photons, share, batch.launched)?;
+        }
+        self.batches.iter_mut().zip(batches).for_each(|(sum, batch)| sum.add(batch));
+        self.photons.insert(stretch.photons.clone());
+        Ok(())
+    }
+
+    fn check_uncounted(&self, photons: &Range<u64>) -> Result<(), TransportError> {
+        match self.photons.common(photons) {
+            Some(common) => Err(TransportError::CountedTwice { from: common.start, to: common.end }),
+            None => Ok(()),
+        }
     }
 
     /// Adds the counts of other photons of the same request.
@@ -160,6 +192,12 @@ impl Counted {
     }
 }
 
+/// Whether of `photons` as many were launched as there are of them, or of them in one batch.
+fn check_launched(photons: &Range<u64>, wanted: u64, launched: u64) -> Result<(), TransportError> {
+    let Range { start: from, end: to } = *photons;
+    if launched == wanted { Ok(()) } else { Err(TransportError::Launched { from, to, launched }) }
+}
+
 /// Length of the next round when `done` photons left the error `excess` times too large; 2 % are added so that one
 /// more round is usually enough.
 fn photons_to_go(done: u64, excess: f64) -> u64 {
@@ -174,4 +212,67 @@ pub(crate) fn ascending(tau: &[f64]) -> (Vec<f64>, Vec<usize>) {
     let mut rank = vec![0; tau.len()];
     places.iter().enumerate().for_each(|(place, &given)| rank[given] = place);
     (places.iter().map(|&given| tau[given]).collect(), rank)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Quantity;
+    use stratiform_quantities::{Incidence, Order};
+
+    /// 10¹² photons, reflected by all slabs after a million scatterings each or passed by all after three million: no counter is
+    /// full, no photon is lost.
+    #[test]
+    fn a_million_million_photons_overflow_nothing() {
+        let photons = 1_000_000_000_000;
+        let (stop, incidence) = (Stop::Photons(photons), Incidence::Diffuse);
+        let tau = vec![1.0, 1e6];
+        let request = TraceRequest { tau, incidence, stop, max_order: 1, seed: 1, stream: 0 };
+        let mut counted = Counted::nothing(&request, true);
+        counted.photons.insert(0..photons);
+        for batch in &mut counted.batches {
+            let share = photons / BATCHES as u64;
+            let (passed, turned) = (share / 2, share - share / 2);
+            batch.launched = share;
+            batch.reflected[2] = turned;
+            batch.turned[0] = turned * 1_000_000;
+            (batch.transmitted[2], batch.transmitted[5]) = (passed, passed);
+            (batch.passed[0], batch.passed[1]) = (passed * 3_000_000, passed * 3_000_000);
+        }
+        assert!(counted.is_sound());
+        let traced = counted.finish().unwrap();
+        assert_eq!(traced.photons(), photons);
+        for slab in 0..2 {
+            assert_eq!(traced.hits(slab, Quantity::Reflectance(Order::Tail)), photons / 2);
+            assert_eq!(traced.hits(slab, Quantity::Transmittance(Order::Total)), photons / 2);
+            assert!((traced.mean_scatterings(slab).value - 2e6).abs() < 1.0);
+        }
+    }
+
+    #[test]
+    fn contradictions_are_seen() {
+        let stop = Stop::StdError { target: 1e-3, max_photons: 1000 };
+        let (tau, incidence) = (vec![1.0], Incidence::Diffuse);
+        let request = TraceRequest { tau, incidence, stop, max_order: 1, seed: 1, stream: 0 };
+        let good = Counted::nothing(&request, true);
+        assert!(good.is_sound());
+        let damages: [fn(&mut Counted); 8] = [
+            |counted| counted.photons.insert(0..5),
+            |counted| counted.batches[3].launched = 5,
+            |counted| counted.batches[3].reflected.push(0),
+            |counted| counted.batches[3].bins = 2,
+            |counted| drop(counted.batches.pop()),
+            |counted| counted.round = 0..1001,
+            |counted| counted.request.tau.push(f64::NAN),
+            |counted| {
+                counted.photons.insert(999..1001);
+                counted.batches[0].launched = 2;
+            },
+        ];
+        for (index, damage) in damages.iter().enumerate() {
+            let mut counted = good.clone();
+            damage(&mut counted);
+            assert!(!counted.is_sound(), "damage {index}");
+        }
+    }
 }

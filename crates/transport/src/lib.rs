@@ -5,6 +5,9 @@
 //! [`trace_half_space`] follows depth and direction cosine only, one history for every thickness;
 //! [`trace_plain`] is the three-dimensional reference, one slab at a time. The same walk scores [`radiance`].
 //!
+//! A trace can be done in parts ([`TraceJob`], [`Part`]): by several processes, or by one that is stopped and started
+//! again, with the same result bit for bit.
+//!
 //! Absorption is analog, so every tally is a whole number and the books close exactly:
 //! launched = reflected + transmitted + absorbed, for each thickness. τ is always the optical thickness of
 //! the full medium; see the conventions in `stratiform_quantities`.
@@ -31,6 +34,7 @@ mod run;
 mod share;
 pub mod single;
 pub mod solve;
+mod stretch;
 mod tally;
 mod trace_job;
 mod traced;
@@ -46,6 +50,7 @@ pub use part::{Identity, Part};
 pub use plain::trace_plain;
 pub use request::{MAX_ROWS, PHOTONS, Stop, TraceRequest};
 pub use share::Share;
+pub use stretch::Stretch;
 pub use tally::{Quantity, Tally};
 pub use trace_job::{TraceJob, Tracer};
 pub use traced::Traced;

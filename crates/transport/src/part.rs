@@ -6,7 +6,7 @@
 
 use crate::cells::Cell;
 use crate::counted::Counted;
-use crate::{Share, Stop, Tally, TraceMedium, TraceRequest, Traced, TransportError, fingerprint};
+use crate::{Share, Stop, Stretch, Tally, TraceMedium, TraceRequest, Traced, TransportError, fingerprint};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -99,6 +99,16 @@ impl Part {
         self.counted.next(&within, longest)
     }
 
+    /// What to trace next of `share` in one go, at most `longest` photons, for an engine that takes many at once; it is to be
+    /// [added](Self::add_stretch) once.
+    ///
+    /// # Errors
+    /// As [`share`](Self::share).
+    pub fn next_stretch(&mut self, share: Share, longest: u64) -> Result<Option<Stretch>, TransportError> {
+        let within = self.share(share)?;
+        self.counted.next_stretch(&within, longest)
+    }
+
     /// A tally of no photon in the shape that [`add`](Self::add) takes.
     pub fn empty_tally(&self) -> Tally {
         self.counted.empty_tally()
@@ -110,11 +120,29 @@ impl Part {
     /// [`TransportError::CountedTwice`] if some are counted already, [`Launched`](TransportError::Launched) if there
     /// are more or fewer of them, [`Shape`](TransportError::Shape) if the tally is of other slabs or orders.
     pub fn add(&mut self, cell: &Cell, tally: &Tally) -> Result<(), TransportError> {
-        let (thicknesses, orders) = (self.request().tau.len(), self.request().bins());
-        if !tally.has_shape(thicknesses, orders) {
-            return Err(TransportError::Shape { thicknesses, orders });
-        }
+        self.check_shape(tally)?;
         self.counted.add(cell, tally)
+    }
+
+    /// Adds what the photons of `stretch` have counted, one tally per batch.
+    ///
+    /// # Errors
+    /// As [`add`](Self::add).
+    pub fn add_stretch(
+        &mut self,
+        stretch: &Stretch,
+        batches: &[Tally; Stretch::BATCHES],
+    ) -> Result<(), TransportError> {
+        batches.iter().try_for_each(|tally| self.check_shape(tally))?;
+        self.counted.add_stretch(stretch, batches)
+    }
+
+    fn check_shape(&self, tally: &Tally) -> Result<(), TransportError> {
+        let (thicknesses, orders) = (self.request().tau.len(), self.request().bins());
+        match tally.has_shape(thicknesses, orders) {
+            true => Ok(()),
+            false => Err(TransportError::Shape { thicknesses, orders }),
+        }
     }
 
     /// Adds the photons of another part of the same trace; changes nothing if that fails.

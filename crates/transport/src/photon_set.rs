@@ -44,7 +44,7 @@ impl PhotonSet {
         let touching = &self.0[from..to];
         let start = touching.first().map_or(range.start, |held| held.start.min(range.start));
         let end = touching.last().map_or(range.end, |held| held.end.max(range.end));
-        self.0.splice(from..to, [start..end]);
+        self.0.splice(from..to, std::iter::once(start..end));
     }
 
     /// What of `within` the set lacks.

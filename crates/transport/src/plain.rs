@@ -52,7 +52,7 @@ impl<'a> Plain<'a> {
 
 impl Estimator for Plain<'_> {
     const NESTED: bool = false;
-    const LONGEST: u64 = 256;
+    const LONGEST: u64 = 64;
 
     fn trace(&self, photons: Range<u64>, tally: &mut Tally, control: Control<'_>) {
         for index in photons {

@@ -66,7 +66,8 @@ impl Walk<'_> {
         let v = self.medium.phase().invert(uniform(rng));
         let azimuth = TAU * uniform(rng);
         let (across, up) = direction.any_orthonormal_pair();
-        let sideways = across * libm::cos(azimuth) + up * libm::sin(azimuth);
+        let (sine, cosine) = libm::sincos(azimuth);
+        let sideways = across * cosine + up * sine;
         (direction * (1.0 - v) + sideways * (v * (2.0 - v)).sqrt()).normalize()
     }
 }

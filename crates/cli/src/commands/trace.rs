@@ -1,12 +1,11 @@
 //! `stratiform trace`: Monte Carlo fluxes per order, as CSV or JSON; with views, `traced_radiance`.
 
-use crate::args::{SpreadArgs, TraceArgs};
+use crate::CliError;
+use crate::args::TraceArgs;
 use crate::commands::traced_radiance;
-use crate::medium::Medium;
 use crate::output::{Data, Talk};
-use crate::trace::{Checkpoint, RunParts, TraceRun};
-use crate::{CliError, interrupt, pipeline};
-use stratiform_transport::{Share, TransportError};
+use crate::trace::trace_share;
+use stratiform_transport::Share;
 
 /// Runs the command.
 ///
@@ -18,22 +17,7 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
         return traced_radiance::run(args, talk);
     }
     let share = args.spread.shard.unwrap_or(Share::WHOLE);
-    check(args, share)?;
-    let medium = Medium::parse(&args.medium)?;
-    let run = TraceRun::new(args, &medium);
-    let jobs = run.jobs(&medium)?;
-    let mut parts = RunParts::nothing(run, share, &jobs);
-    let watch = interrupt::watch();
-    match checkpoint(&args.spread, talk)? {
-        None => parts.trace(&jobs, talk, |_| ())?,
-        Some(mut checkpoint) => {
-            checkpoint.resume(&mut parts)?;
-            let traced = parts.trace(&jobs, talk, |snapshot| checkpoint.keep(snapshot));
-            checkpoint.keep_now(&parts);
-            traced?;
-        }
-    }
-    drop(watch);
+    let parts = trace_share(args, share, talk)?;
     match &args.spread.out {
         None => parts.print(args.json),
         Some(out) => {
@@ -42,21 +26,4 @@ pub fn run(args: &TraceArgs, talk: Talk) -> Result<Data, CliError> {
             Ok(Data::new())
         }
     }
-}
-
-fn check(args: &TraceArgs, share: Share) -> Result<(), CliError> {
-    TraceRun::check(args)?;
-    if share.of() > 1 && args.std_error.is_some() {
-        let place = format!("--shard {share} with --std-error");
-        return Err(pipeline::trace_error(TransportError::OneAfterTheOther).at(&place));
-    }
-    if args.spread.out.is_some() && args.spread.out == args.spread.checkpoint {
-        return Err(CliError::Input("--out and --checkpoint name the same file".to_owned()));
-    }
-    Ok(())
-}
-
-fn checkpoint(args: &SpreadArgs, talk: Talk) -> Result<Option<Checkpoint>, CliError> {
-    let open = |path| Checkpoint::open(path, args.checkpoint_every, talk);
-    args.checkpoint.as_deref().map(open).transpose()
 }

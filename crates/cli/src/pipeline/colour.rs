@@ -7,6 +7,7 @@
 use super::{input_error, optics};
 use crate::CliError;
 use crate::config::{ColourConfig, Config};
+use rayon::prelude::*;
 use std::path::Path;
 use stratiform_artifact::{PhaseColour, PhaseColourRow, create_folder};
 use stratiform_optics::OpticsConfig;
@@ -61,7 +62,9 @@ type Spectrum = Vec<(f64, PhaseTable)>;
 /// P, and P_S convolved with itself, by wavelength.
 fn spectra(ensembles: &[Ensemble]) -> Result<[Spectrum; 2], CliError> {
     let squared = |one: &Ensemble| one.phase.modified(one.theta_f_deg)?.squared();
-    let squares = ensembles.iter().map(|one| Ok((one.wavelength_um, squared(one).map_err(input_error)?)));
+    let squares: Vec<_> = ensembles.par_iter().map(|one| (one.wavelength_um, squared(one))).collect();
+    let squares =
+        squares.into_iter().map(|(wavelength, table)| Ok((wavelength, table.map_err(input_error)?)));
     let full = ensembles.iter().map(|one| (one.wavelength_um, one.phase.clone())).collect();
     Ok([full, squares.collect::<Result<_, CliError>>()?])
 }

@@ -43,6 +43,8 @@ impl PhaseLookup<f64> for AtAngle {
 pub struct Hemisphere {
     /// Θ, weight sinΘ dΘ, and the functions there.
     nodes: Vec<(f64, f64, AtAngle)>,
+    /// cosψ of the azimuths.
+    cosines: Vec<f64>,
 }
 
 impl Hemisphere {
@@ -61,7 +63,8 @@ impl Hemisphere {
                 }));
             }
         }
-        Self { nodes }
+        let psi = |k: usize| std::f64::consts::PI * (k as f64 + 0.5) / AZIMUTHS as f64;
+        Self { nodes, cosines: (0..AZIMUTHS).map(|k| libm::cos(psi(k))).collect() }
     }
 
     /// Fluxes through `side` of N radiances at once.
@@ -75,7 +78,7 @@ impl Hemisphere {
         for (theta, weight, functions) in &self.nodes {
             // ψ counts twice: (1/π) · 2π/AZIMUTHS for each of the midpoints of half a turn.
             let weight = 2.0 * weight / AZIMUTHS as f64;
-            for mu_v in leaving(mu_l, *theta, side).filter(|mu_v| *mu_v > 0.0) {
+            for mu_v in self.leaving(mu_l, *theta, side).filter(|mu_v| *mu_v > 0.0) {
                 let sight = Sight { mu_l, mu_v: mu_v.min(1.0), v: versine(*theta), side };
                 for (flux, factor) in fluxes.iter_mut().zip(radiance(sight, functions)) {
                     *flux += weight * mu_v * factor;
@@ -84,14 +87,11 @@ impl Hemisphere {
         }
         fluxes
     }
-}
 
-/// Cosines to the normal of `side` around the sun's direction at `theta`; negative where light leaves the other face.
-fn leaving(mu_l: f64, theta: f64, side: Side) -> impl Iterator<Item = f64> {
-    let sign = if side == Side::Top { -1.0 } else { 1.0 };
-    let (along, across) = (mu_l * libm::cos(theta), (1.0 - mu_l * mu_l).sqrt() * libm::sin(theta));
-    (0..AZIMUTHS).map(move |k| {
-        let psi = std::f64::consts::PI * (k as f64 + 0.5) / AZIMUTHS as f64;
-        sign * (along + across * libm::cos(psi))
-    })
+    /// Cosines to the normal of `side` around the sun's direction at `theta`; negative where light leaves the other face.
+    fn leaving(&self, mu_l: f64, theta: f64, side: Side) -> impl Iterator<Item = f64> {
+        let sign = if side == Side::Top { -1.0 } else { 1.0 };
+        let (along, across) = (mu_l * libm::cos(theta), (1.0 - mu_l * mu_l).sqrt() * libm::sin(theta));
+        self.cosines.iter().map(move |cosine| sign * (along + across * cosine))
+    }
 }

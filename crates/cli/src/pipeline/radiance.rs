@@ -6,6 +6,7 @@ use crate::CliError;
 use crate::config::Config;
 use crate::output::Talk;
 use crate::progress;
+use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 use stratiform_artifact::{Provenance, create_folder, hash_of, write_json};
@@ -60,18 +61,19 @@ pub fn write(
     Ok(files.to_vec())
 }
 
-/// One sun at a time: the work that views of a sun share is most of it.
+/// Suns side by side, each with its views: the work that they share is most of it.
 fn solve(
     solver: &RadianceSolver,
     plan: &RadiancePlan,
-    done: &dyn Fn(),
+    done: &(dyn Fn() + Sync),
 ) -> Result<Vec<RadiancePoint>, CliError> {
-    let mut points = Vec::new();
-    for sun in &plan.suns {
-        points.extend(solve_sun(solver, &plan.tau, sun)?);
+    let one = |sun: &SunViews| {
+        let points = solve_sun(solver, &plan.tau, sun);
         done();
-    }
-    Ok(points)
+        points
+    };
+    let solved: Vec<_> = plan.suns.par_iter().map(one).collect();
+    Ok(solved.into_iter().collect::<Result<Vec<_>, CliError>>()?.concat())
 }
 
 fn solve_sun(solver: &RadianceSolver, tau: &[f64], sun: &SunViews) -> Result<Vec<RadiancePoint>, CliError> {

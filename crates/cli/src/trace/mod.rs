@@ -5,10 +5,17 @@
 //! would have, and print the same bytes.
 
 mod checkpoint;
+mod device;
+mod engine;
 mod parts;
 mod run;
 mod seal;
+mod share;
 
+pub use crate::medium::Medium;
 pub use checkpoint::Checkpoint;
-pub use parts::RunParts;
+pub use device::Device;
+pub use engine::Engine;
+pub use parts::{RunParts, Snapshot};
 pub use run::TraceRun;
+pub use share::trace_share;

@@ -1,12 +1,12 @@
 //! What some photons of a run have counted: one part per incidence.
 
-use super::{TraceRun, seal};
+use super::{Checkpoint, Engine, TraceRun, seal};
 use crate::output::{Data, Talk};
 use crate::{CliError, interrupt, pipeline, progress};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use stratiform_artifact::{ArtifactError, write_atomic};
-use stratiform_transport::{Part, Share, TraceJob};
+use stratiform_transport::{Part, Share};
 
 /// The parts of one run, in the order of its incidences, and the share of the photons that they are for.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,8 +26,8 @@ struct About {
 
 impl RunParts {
     /// No photon yet.
-    pub fn nothing(run: TraceRun, share: Share, jobs: &[TraceJob<'_>]) -> Self {
-        Self { run, share, parts: jobs.iter().map(TraceJob::part).collect() }
+    pub fn nothing(run: TraceRun, share: Share, engines: &[Box<dyn Engine + '_>]) -> Self {
+        Self { run, share, parts: engines.iter().map(|engine| engine.part()).collect() }
     }
 
     /// The share of the photons that this is for.
@@ -47,12 +47,12 @@ impl RunParts {
     /// [`CliError::Interrupted`], when the parts have all that was traced by then.
     pub fn trace(
         &mut self,
-        jobs: &[TraceJob<'_>],
+        engines: &[Box<dyn Engine + '_>],
         talk: Talk,
         mut keep: impl FnMut(&Snapshot<'_>) + Send,
     ) -> Result<(), CliError> {
         let (run, share, watch) = (&self.run, self.share, interrupt::watch());
-        for (index, job) in jobs.iter().enumerate() {
+        for (index, engine) in engines.iter().enumerate() {
             let (before, rest) = self.parts.split_at_mut(index);
             let Some((part, after)) = rest.split_first_mut() else { continue };
             let bar = progress::bar(0, &format!("mu0 {}", run.mu0()[index]), talk.quiet);
@@ -62,11 +62,32 @@ impl RunParts {
             };
             let control = pipeline::control(&advanced, &watch);
             let (before, after) = (&*before, &*after);
-            job.trace(part, share, control, |part| keep(&Snapshot { run, share, before, part, after }))
-                .map_err(pipeline::trace_error)?;
+            let mut kept = |part: &Part| keep(&Snapshot { run, share, before, part, after });
+            engine.trace(part, share, control, &mut kept)?;
             bar.finish_and_clear();
         }
         Ok(())
+    }
+
+    /// As [`trace`](Self::trace); the checkpoint, where there is one, is kept up, and complete at the end.
+    ///
+    /// # Errors
+    /// As [`trace`](Self::trace).
+    pub fn trace_keeping(
+        &mut self,
+        engines: &[Box<dyn Engine + '_>],
+        checkpoint: Option<Checkpoint>,
+        talk: Talk,
+    ) -> Result<(), CliError> {
+        let Some(mut checkpoint) = checkpoint else { return self.trace(engines, talk, |_| ()) };
+        let _watch = interrupt::watch();
+        let traced = self.trace(engines, talk, |snapshot| checkpoint.keep(snapshot));
+        checkpoint.keep_now(self);
+        if matches!(traced, Err(CliError::Interrupted)) {
+            let photons = self.photons();
+            talk.say(format!("{photons} photons are kept: the same command goes on from there"));
+        }
+        traced
     }
 
     /// Whether every photon of its share is there.
@@ -161,7 +182,7 @@ impl RunParts {
         let damaged = || CliError::Input("its counts contradict themselves".to_owned());
         let parts: Vec<Part> = postcard::from_bytes(body).map_err(|_| damaged())?;
         let share = about.shard.parse().map_err(pipeline::trace_error)?;
-        if parts.is_empty() || parts.len() != about.run.mu0().len() {
+        if parts.is_empty() || !parts.iter().map(Part::request).eq(&about.run.requests()?) {
             return Err(damaged());
         }
         Ok(Self { run: about.run, share, parts })

@@ -1,5 +1,6 @@
 //! Everything that the printed bytes of a trace of fluxes depend on, and the printing.
 
+use super::{Device, Engine};
 use crate::args::{Estimator, TraceArgs};
 use crate::commands::order_rows;
 use crate::medium::Medium;
@@ -23,11 +24,14 @@ pub struct TraceRun {
     orders: u32,
     seed: u64,
     estimator: Estimator,
+    /// The adapter, on a graphics device.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    device: Option<String>,
 }
 
 impl TraceRun {
-    /// What `args` ask for in `medium`.
-    pub fn new(args: &TraceArgs, medium: &Medium) -> Self {
+    /// What `args` ask for in `medium` on `device`.
+    pub fn new(args: &TraceArgs, medium: &Medium, device: &Device) -> Self {
         Self {
             medium: medium.record().clone(),
             tau: args.slab.tau.clone(),
@@ -37,6 +41,7 @@ impl TraceRun {
             orders: args.orders,
             seed: args.seed,
             estimator: args.estimator.unwrap_or(Estimator::HalfSpace),
+            device: device.adapter(),
         }
     }
 
@@ -54,19 +59,36 @@ impl TraceRun {
         Ok(())
     }
 
-    /// One job per incidence.
+    /// One tracer per incidence.
     ///
     /// # Errors
     /// [`CliError::Input`] naming what is out of domain.
-    pub fn jobs<'a>(&self, medium: &'a Medium) -> Result<Vec<TraceJob<'a>>, CliError> {
+    pub fn engines<'a>(
+        &self,
+        medium: &'a Medium,
+        device: &'a Device,
+    ) -> Result<Vec<Box<dyn Engine + 'a>>, CliError> {
         let tracer = match self.estimator {
             Estimator::HalfSpace => Tracer::HalfSpace,
             Estimator::Plain => Tracer::Plain,
         };
-        let job = |incidence| {
-            TraceJob::new(tracer, medium.traced(), &self.request(incidence)).map_err(pipeline::trace_error)
+        let engine = |request| -> Result<Box<dyn Engine + 'a>, CliError> {
+            if let Some(engine) = device.engine(medium.traced(), request)? {
+                return Ok(engine);
+            }
+            let job = TraceJob::new(tracer, medium.traced(), request).map_err(pipeline::trace_error)?;
+            Ok(Box::new(job))
         };
-        order_rows::parse_incidences(&self.mu0)?.into_iter().map(job).collect()
+        self.requests()?.iter().map(engine).collect()
+    }
+
+    /// One request per incidence.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] naming an incidence that is none.
+    pub fn requests(&self) -> Result<Vec<TraceRequest>, CliError> {
+        let incidences = order_rows::parse_incidences(&self.mu0)?;
+        Ok(incidences.into_iter().map(|incidence| self.request(incidence)).collect())
     }
 
     fn request(&self, incidence: Incidence) -> TraceRequest {
@@ -125,16 +147,20 @@ impl TraceRun {
             return order_rows::csv(self.medium.medium, results);
         }
         let inputs = (&self.medium, &self.tau, &self.mu0, self.photons, self.std_error, self.orders);
-        let method = match self.estimator {
-            Estimator::HalfSpace => {
-                "half-space Monte Carlo; std_error is one standard deviation of the mean, at least 1/(photons + 3)"
+        let half_space = "half-space Monte Carlo; std_error is one standard deviation of the mean, at least 1/(photons + 3)";
+        let method = match (self.estimator, &self.device) {
+            (Estimator::HalfSpace, None) => half_space.to_owned(),
+            (Estimator::HalfSpace, Some(adapter)) => {
+                format!("{half_space}; in single precision on {adapter}")
             }
-            Estimator::Plain => "plain three-dimensional Monte Carlo; std_error as for half-space",
+            (Estimator::Plain, _) => {
+                "plain three-dimensional Monte Carlo; std_error as for half-space".to_owned()
+            }
         };
         let document = OrdersDocument {
             schema: OrdersDocument::SCHEMA.to_owned(),
             medium: self.medium.clone(),
-            provenance: Provenance::new(hash_of(&inputs), Some(self.seed), method),
+            provenance: Provenance::new(hash_of(&inputs), Some(self.seed), &method),
             results,
         };
         Ok(to_json(&document)?)

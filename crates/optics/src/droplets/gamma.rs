@@ -10,6 +10,8 @@ pub(super) struct GeneralisedGamma {
     alpha: f64,
     b: f64,
     c: f64,
+    /// ln of what multiplies r^α e^{-b r^c}.
+    ln_norm: f64,
 }
 
 impl GeneralisedGamma {
@@ -17,13 +19,18 @@ impl GeneralisedGamma {
         Range::closed(-0.9, 500.0).check("alpha", alpha)?;
         Range::closed(1e-6, 1e6).check("b", b)?;
         Range::closed(0.2, 10.0).check("c", c)?;
-        Ok(Self { alpha, b, c })
+        Ok(Self::normalised(alpha, b, c))
     }
 
     pub(super) fn modified(gamma: f64, effective_radius: f64) -> Result<Self, DomainError> {
         Range::closed(0.1, 500.0).check("gamma", gamma)?;
         RADIUS_UM.check("effective_radius_um", effective_radius)?;
-        Ok(Self { alpha: gamma - 1.0, b: (gamma + 2.0) / effective_radius, c: 1.0 })
+        Ok(Self::normalised(gamma - 1.0, (gamma + 2.0) / effective_radius, 1.0))
+    }
+
+    fn normalised(alpha: f64, b: f64, c: f64) -> Self {
+        let s = (alpha + 1.0) / c;
+        Self { alpha, b, c, ln_norm: libm::log(c) + s * libm::log(b) - libm::lgamma(s) }
     }
 
     fn shape(&self) -> f64 {
@@ -34,9 +41,7 @@ impl GeneralisedGamma {
         if r <= 0.0 {
             return 0.0;
         }
-        let s = self.shape();
-        let norm = libm::log(self.c) + s * libm::log(self.b) - libm::lgamma(s);
-        libm::exp(norm + self.alpha * libm::log(r) - self.b * libm::pow(r, self.c))
+        libm::exp(self.ln_norm + self.alpha * libm::log(r) - self.b * libm::pow(r, self.c))
     }
 
     pub(super) fn moment(&self, k: u32) -> f64 {

@@ -215,20 +215,27 @@ impl SizeDistribution {
         let centre = self.effective_radius();
         let span = (20.0 * self.effective_variance().sqrt()).min(12.0);
         let radius = |i: i32| centre * libm::exp(span * f64::from(i - STEPS) / f64::from(STEPS));
-        // Steps over the grid from below (or from above) until `share` of ∫r^power n dr is passed.
-        let beyond = |power: u32, from_above: bool, share: f64| {
-            let weight = |r: f64| (0..=power).fold(self.density(r), |product, _| product * r);
-            let total = (0..=2 * STEPS).fold(0.0, |sum, i| sum + weight(radius(i)));
-            let mut sum = 0.0;
-            let step = |i: i32| radius(if from_above { 2 * STEPS - i } else { i });
-            let end = (0..=2 * STEPS).map(step).find(|&r| {
-                sum += weight(r);
-                sum > share * total
-            });
-            end.unwrap_or(centre)
-        };
-        [beyond(2, false, 1e-6), beyond(4, true, 1e-5)]
+        let nodes: Vec<(f64, f64)> = (0..=2 * STEPS).map(radius).map(|r| (r, self.density(r))).collect();
+        let total = |power| nodes.iter().map(|node| weight(power, node)).fold(0.0, |sum, w| sum + w);
+        let low = passed(nodes.iter(), 2, 1e-6 * total(2)).unwrap_or(centre);
+        let high = passed(nodes.iter().rev(), 4, 1e-5 * total(4)).unwrap_or(centre);
+        [low, high]
     }
+}
+
+/// r^power n dr of a radius and its density, dr being in proportion to r.
+fn weight(power: u32, &(r, density): &(f64, f64)) -> f64 {
+    (0..=power).fold(density, |product, _| product * r)
+}
+
+/// The radius at which the sum of the weights of `nodes` passes `enough`.
+fn passed<'a>(mut nodes: impl Iterator<Item = &'a (f64, f64)>, power: u32, enough: f64) -> Option<f64> {
+    let mut sum = 0.0;
+    let end = nodes.find(|node| {
+        sum += weight(power, node);
+        sum > enough
+    });
+    end.map(|node| node.0)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::kernel::{self, Sphere};
 use super::radii::Node;
-use crate::mie::{Coefficients, RefractiveIndex, SizeParameter, efficiencies};
+use crate::mie::{LANES, LaneCoefficients, RefractiveIndex, SizeParameter};
 use rayon::prelude::*;
 use std::f64::consts::PI;
 
@@ -37,17 +37,22 @@ impl Average {
     fn of_block(block: &[Node], wave_number: f64, index: RefractiveIndex, cosines: &kernel::Cosines) -> Self {
         let mut sum =
             Self { extinction: 0.0, scattering: 0.0, forward: 0.0, plus: Vec::new(), minus: Vec::new() };
-        let mut spheres = Vec::with_capacity(block.len());
-        for &(radius, weight) in block {
-            // The range was checked; its square root may come back a rounding error outside.
-            let Ok(x) = SizeParameter::new(wave_number * radius) else { continue };
-            let coefficients = Coefficients::new(x, index);
-            let q = efficiencies(x, &coefficients);
-            let area = weight * PI * radius * radius;
-            sum.extinction += area * q.q_ext;
-            sum.scattering += area * q.q_sca;
-            sum.forward += area * q.q_sca * q.g;
-            spheres.push(Sphere::new(&coefficients, weight));
+        // The range was checked; its square root may come back a rounding error outside.
+        let checked =
+            |&(radius, weight): &Node| Some((SizeParameter::new(wave_number * radius).ok()?, radius, weight));
+        let nodes: Vec<_> = block.iter().filter_map(checked).collect();
+        let mut spheres = Vec::with_capacity(nodes.len());
+        for lanes in nodes.chunks(LANES) {
+            let x = std::array::from_fn(|l| lanes[l.min(lanes.len() - 1)].0);
+            let weights: Vec<f64> = lanes.iter().map(|node| node.2).collect();
+            let coefficients = LaneCoefficients::new(&x, index);
+            for ((_, radius, weight), q) in lanes.iter().zip(coefficients.efficiencies()) {
+                let area = weight * PI * radius * radius;
+                sum.extinction += area * q.q_ext;
+                sum.scattering += area * q.q_sca;
+                sum.forward += area * q.q_sca * q.g;
+            }
+            spheres.extend(Sphere::of_lanes(&coefficients, &weights));
         }
         (sum.plus, sum.minus) = kernel::intensities(&spheres, cosines);
         sum

@@ -5,14 +5,14 @@
 //! matrix p therefore serves both sums: per sphere, order and angle four products. A tile of
 //! [`LANES`] angles holds p for all orders while the spheres of a block pass. Sums run in a fixed order without fused
 //! multiply-add, so that every instruction set gives the same bits.
+//!
+//! Per sphere and order a tile needs eight products and eight sums of vectors of eight, which fill the two such units of a core
+//! with AVX-512 for eight cycles; its loads (two of p, four of coefficients) take three.
 
-use crate::mie::Coefficients;
+use crate::mie::{LANES, LaneCoefficients, Lanes};
 
 /// Spheres that share a pass over the angles.
 pub(super) const BLOCK: usize = 32;
-
-/// Angles of a tile.
-const LANES: usize = 16;
 
 /// Four real coefficients per order: c_n(a_n+b_n) and (-1)^{n-1}c_n(a_n-b_n).
 pub(super) struct Sphere {
@@ -21,22 +21,34 @@ pub(super) struct Sphere {
 }
 
 impl Sphere {
-    pub(super) fn new(coefficients: &Coefficients, weight: f64) -> Self {
-        let pairs = coefficients.a.iter().zip(&coefficients.b);
-        let orders = pairs.enumerate().map(|(i, (a, b))| {
-            let n = (i + 1) as f64;
-            let c = (2.0 * n + 1.0) / (n * (n + 1.0));
-            let sign = if i % 2 == 0 { c } else { -c };
-            let (plus, minus) = ((a + b) * c, (a - b) * sign);
-            [plus.re, plus.im, minus.re, minus.im]
-        });
-        Self { orders: orders.collect(), weight }
+    /// The spheres of the lanes, as many as there are `weights`.
+    pub(super) fn of_lanes(coefficients: &LaneCoefficients, weights: &[f64]) -> Vec<Self> {
+        let lanes = weights.iter().zip(coefficients.last);
+        let mut spheres: Vec<Self> =
+            lanes.map(|(&weight, last)| Self { orders: Vec::with_capacity(last), weight }).collect();
+        for (i, parts) in coefficients.orders.iter().enumerate() {
+            let rows = combined(i, parts);
+            for (l, sphere) in spheres.iter_mut().enumerate().filter(|(l, _)| i < coefficients.last[*l]) {
+                sphere.orders.push(rows.each_ref().map(|row| row.0[l]));
+            }
+        }
+        spheres
     }
+}
+
+/// c_n(a_n+b_n) and (-1)^{n-1}c_n(a_n-b_n) with n = i + 1.
+fn combined(i: usize, [a_re, a_im, b_re, b_im]: &[Lanes; 4]) -> [Lanes; 4] {
+    let n = (i + 1) as f64;
+    let c = (2.0 * n + 1.0) / (n * (n + 1.0));
+    let sign = if i.is_multiple_of(2) { c } else { -c };
+    let sum = |a: &Lanes, b: &Lanes| Lanes(std::array::from_fn(|l| (a.0[l] + b.0[l]) * c));
+    let difference = |a: &Lanes, b: &Lanes| Lanes(std::array::from_fn(|l| (a.0[l] - b.0[l]) * sign));
+    [sum(a_re, b_re), sum(a_im, b_im), difference(a_re, b_re), difference(a_im, b_im)]
 }
 
 /// cosΘ of a symmetric grid, padded to whole tiles.
 pub(super) struct Cosines {
-    tiles: Vec<[f64; LANES]>,
+    tiles: Vec<Lanes>,
     count: usize,
 }
 
@@ -48,7 +60,7 @@ impl Cosines {
         let tile = |chunk: &[f64]| {
             let mut lanes = [0.0; LANES];
             lanes[..chunk.len()].copy_from_slice(chunk);
-            lanes
+            Lanes(lanes)
         };
         Self { tiles: all.chunks(LANES).map(tile).collect(), count: all.len() }
     }
@@ -57,10 +69,10 @@ impl Cosines {
 /// Σ weight·|S1+S2|² at each angle, and Σ weight·|S1-S2|² at each angle's supplement.
 pub(super) fn intensities(spheres: &[Sphere], cosines: &Cosines) -> (Vec<f64>, Vec<f64>) {
     let orders = spheres.iter().map(|sphere| sphere.orders.len()).max().unwrap_or(0);
-    let mut rows = vec![[0.0; LANES]; orders];
+    let mut rows = vec![Lanes([0.0; LANES]); orders];
     let (mut plus, mut minus) = (Vec::new(), Vec::new());
     for mu in &cosines.tiles {
-        angular_functions(mu, &mut rows);
+        angular_functions(&mu.0, &mut rows);
         let [mut p, mut m] = [[0.0; LANES]; 2];
         for sphere in spheres {
             add_intensity(sphere, &rows, &mut p, &mut m);
@@ -75,7 +87,7 @@ pub(super) fn intensities(spheres: &[Sphere], cosines: &Cosines) -> (Vec<f64>, V
 
 /// `rows[n-1]` = π_n + τ_n at every angle of a tile.
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
-fn angular_functions(mu: &[f64; LANES], rows: &mut [[f64; LANES]]) {
+fn angular_functions(mu: &[f64; LANES], rows: &mut [Lanes]) {
     let (mut pi, mut before) = ([1.0; LANES], [0.0; LANES]);
     for (i, row) in rows.iter_mut().enumerate() {
         let n = (i + 1) as f64;
@@ -83,7 +95,7 @@ fn angular_functions(mu: &[f64; LANES], rows: &mut [[f64; LANES]]) {
         for l in 0..LANES {
             let s = mu[l] * pi[l];
             let t = s - before[l];
-            row[l] = pi[l] + (n * t - before[l]);
+            row.0[l] = pi[l] + (n * t - before[l]);
             before[l] = pi[l];
             pi[l] = s + growth * t;
         }
@@ -91,14 +103,14 @@ fn angular_functions(mu: &[f64; LANES], rows: &mut [[f64; LANES]]) {
 }
 
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
-fn add_intensity(sphere: &Sphere, rows: &[[f64; LANES]], plus: &mut [f64; LANES], minus: &mut [f64; LANES]) {
+fn add_intensity(sphere: &Sphere, rows: &[Lanes], plus: &mut [f64; LANES], minus: &mut [f64; LANES]) {
     let [mut pr, mut pi, mut mr, mut mi] = [[0.0; LANES]; 4];
     for (c, row) in sphere.orders.iter().zip(rows) {
         for l in 0..LANES {
-            pr[l] += c[0] * row[l];
-            pi[l] += c[1] * row[l];
-            mr[l] += c[2] * row[l];
-            mi[l] += c[3] * row[l];
+            pr[l] += c[0] * row.0[l];
+            pi[l] += c[1] * row.0[l];
+            mr[l] += c[2] * row.0[l];
+            mi[l] += c[3] * row.0[l];
         }
     }
     for l in 0..LANES {
@@ -130,14 +142,14 @@ mod tests {
     #[test]
     fn every_instruction_set_gives_the_same_bits() {
         let index = RefractiveIndex::new(1.333, 1e-6).unwrap();
-        let sphere = Sphere::new(&Coefficients::new(SizeParameter::new(83.7).unwrap(), index), 0.3);
+        let sizes = std::array::from_fn(|l| SizeParameter::new(61.0 + 22.7 * l as f64).unwrap());
+        let spheres = Sphere::of_lanes(&LaneCoefficients::new(&sizes, index), &[0.2, 0.3]);
         let angles: Vec<f64> = (0..=36).map(|i| 5.0 * f64::from(i)).collect();
         let cosines = Cosines::new(&angles);
-        let all: Vec<f64> = cosines.tiles.as_flattened()[..angles.len()].to_vec();
-        let (plus, minus) = intensities(&[sphere], &cosines);
-        let sphere = Sphere::new(&Coefficients::new(SizeParameter::new(83.7).unwrap(), index), 0.3);
-        for (i, mu) in all.iter().enumerate() {
-            assert_eq!([plus[i], minus[i]], plainly(&sphere, *mu), "{}", angles[i]);
+        let (plus, minus) = intensities(&spheres, &cosines);
+        for (i, mu) in cosines.tiles.iter().flat_map(|tile| tile.0).take(angles.len()).enumerate() {
+            let [first, second] = [&spheres[0], &spheres[1]].map(|sphere| plainly(sphere, mu));
+            assert_eq!([plus[i], minus[i]], [first[0] + second[0], first[1] + second[1]], "{}", angles[i]);
         }
     }
 }

@@ -12,6 +12,7 @@ mod radii;
 mod tolerance;
 
 pub use angles::angle_grid;
+pub use radii::radius_rule;
 pub use tolerance::QuadratureTolerance;
 
 use crate::OpticsError;
@@ -89,11 +90,11 @@ pub fn refine(
 ) -> Result<Ensemble, OpticsError> {
     let wave_number = 2.0 * PI / spec.wavelength_um;
     let index = RefractiveIndex::new(spec.refractive_index[0], spec.refractive_index[1])?;
-    for radius in spec.droplets.scattering_range() {
+    let mut radii = Radii::new(spec.droplets);
+    for radius in radii.range() {
         SizeParameter::new(wave_number * radius)?;
     }
     let angles = angle_grid(spec.droplets, wave_number, spec.theta_f_deg)?;
-    let mut radii = Radii::new(spec.droplets);
     let mut average = Average::new(&angles);
     average.add(&radii.first(), wave_number, index, &angles);
     let mut last = Refinement::new(spec, average, &radii, &angles)?;

@@ -31,7 +31,7 @@ pub fn last_order(x: f64) -> usize {
 }
 
 /// Order from which a downward recurrence with argument of size `z` has forgotten its start at order `n`.
-fn start_order(z: f64, n: usize) -> usize {
+pub(super) fn start_order(z: f64, n: usize) -> usize {
     n.max((z + 8.0 * libm::cbrt(z)) as usize) + 16
 }
 

@@ -10,11 +10,13 @@ mod coefficients;
 pub mod document;
 mod domain;
 mod efficiencies;
+mod lanes;
 
 pub use amplitudes::{Amplitudes, amplitudes};
 pub use coefficients::{Coefficients, last_order};
 pub use domain::{RefractiveIndex, ScatteringAngle, SizeParameter};
 pub use efficiencies::{Efficiencies, efficiencies};
+pub use lanes::{LANES, LaneCoefficients, Lanes};
 
 use stratiform_quantities::DomainError;
 

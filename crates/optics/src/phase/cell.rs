@@ -15,8 +15,8 @@ impl Cell {
     /// ∫ P sinΘ dΘ over the cell's first `t` radians.
     pub(super) fn integral(&self, t: f64) -> f64 {
         let h = 0.5 * t;
-        let (sin_h, cos_h) = (libm::sin(h), libm::cos(h));
-        let (sin_m, cos_m) = (libm::sin(self.start + h), libm::cos(self.start + h));
+        let (sin_h, cos_h) = libm::sincos(h);
+        let (sin_m, cos_m) = libm::sincos(self.start + h);
         let flat = 2.0 * sin_m * sin_h;
         let rising = 2.0 * cos_m * sin_minus_h_cos(h, sin_h, cos_h) + h * flat;
         self.value * flat + self.slope * rising

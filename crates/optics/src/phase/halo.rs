@@ -10,7 +10,7 @@
 //! One event is P_F itself, with its edge at θ_f; from two on the sum converges and is smooth. The error of the number of
 //! moments is below 1e-4 of the peak. [`HaloTable`] holds it for lookups, bilinear in s = sin(Θ/2) = √(v/2) and in q.
 
-use super::{PhaseFunction, PhaseTable, angle, legendre};
+use super::{PhaseTable, angle, legendre};
 use crate::OpticsError;
 use stratiform_quantities::Range;
 
@@ -30,7 +30,7 @@ impl Halo {
     pub fn new(phase: &PhaseTable, theta_f_deg: f64) -> Result<Self, OpticsError> {
         let forward = phase.forward_part(theta_f_deg)?;
         let forward_fraction = phase.forward_fraction(theta_f_deg)?;
-        Ok(Self { forward_fraction, chi: forward.moments(forward.square_order()) })
+        Ok(Self { forward_fraction, chi: forward.moments_to_square() })
     }
 
     /// P_f.
@@ -161,7 +161,7 @@ fn place(x: f64, count: usize) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::phase::{HenyeyGreenstein, Norm, versine};
+    use crate::phase::{HenyeyGreenstein, Norm, PhaseFunction, versine};
     use stratiform_quantities::Asymmetry;
 
     fn peaked() -> PhaseTable {

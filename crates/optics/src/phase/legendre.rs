@@ -8,8 +8,11 @@ use super::PhaseTable;
 use super::gauss::gauss_legendre;
 use rayon::prelude::*;
 
-/// Points that share one pass of the recurrence.
+/// Points that are summed one after the other.
 const LANES: usize = 32;
+
+/// Such runs of points that share one pass of the recurrence, side by side.
+const RUNS: usize = 8;
 
 /// χ_0 … χ_{count-1} of `table`.
 pub(super) fn moments(table: &PhaseTable, count: usize) -> Vec<f64> {
@@ -87,29 +90,34 @@ impl Rules {
 
 fn block_moments(points: &[(f64, f64)], count: usize) -> Vec<f64> {
     let mut sums = vec![0.0; count];
-    for lanes in points.chunks(LANES) {
-        let (mut mu, mut weight) = ([0.0; LANES], [0.0; LANES]);
-        for (i, point) in lanes.iter().enumerate() {
-            (mu[i], weight[i]) = *point;
+    for group in points.chunks(RUNS * LANES) {
+        let (mut mu, mut weight) = ([[0.0; RUNS]; LANES], [[0.0; RUNS]; LANES]);
+        for (i, point) in group.iter().enumerate() {
+            let (run, lane) = (i / LANES, i % LANES);
+            (mu[lane][run], weight[lane][run]) = *point;
         }
         accumulate(&mut sums, &mu, &weight);
     }
     sums
 }
 
-/// Adds Σ w P_l(μ) over the lanes to `sums[l]`. The recurrence runs on wP_l itself, which is linear in w.
+/// Adds Σ w P_l(μ) over the runs, one after the other, to `sums[l]`. The recurrence runs on wP_l itself, which is linear in w.
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
-fn accumulate(sums: &mut [f64], mu: &[f64; LANES], weight: &[f64; LANES]) {
-    let (mut before, mut legendre) = ([0.0; LANES], *weight);
+fn accumulate(sums: &mut [f64], mu: &[[f64; RUNS]; LANES], weight: &[[f64; RUNS]; LANES]) {
+    let (mut before, mut legendre) = ([[0.0; RUNS]; LANES], *weight);
     for (l, sum) in sums.iter_mut().enumerate() {
-        *sum += legendre.iter().fold(0.0, |total, p| total + p);
         let l = l as f64;
         let (up, down) = ((2.0 * l + 1.0) / (l + 1.0), l / (l + 1.0));
-        for i in 0..LANES {
-            let next = up * mu[i] * legendre[i] - down * before[i];
-            before[i] = legendre[i];
-            legendre[i] = next;
+        let mut totals = [0.0; RUNS];
+        for ((mu, before), legendre) in mu.iter().zip(&mut before).zip(&mut legendre) {
+            for run in 0..RUNS {
+                totals[run] += legendre[run];
+                let next = up * mu[run] * legendre[run] - down * before[run];
+                before[run] = legendre[run];
+                legendre[run] = next;
+            }
         }
+        *sum = totals.iter().fold(*sum, |sum, total| sum + total);
     }
 }
 

@@ -1,9 +1,11 @@
 //! Phase functions: one trait, and its implementations, one file each.
 
+mod angles;
 mod cell;
 mod draine;
 mod expand;
 pub(crate) mod gauss;
+mod guide;
 mod halo;
 mod henyey_greenstein;
 mod isotropic;
@@ -31,6 +33,11 @@ pub use table::{NORM, Norm, PhaseTable};
 pub trait PhaseFunction: Send + Sync {
     /// P at v = 1 - cosΘ.
     fn value(&self, v: f64) -> f64;
+
+    /// Replaces each v by P(v), equal to [`value`](Self::value) but for rounding; many at once may be faster.
+    fn values_at(&self, v: &mut [f64]) {
+        v.iter_mut().for_each(|v| *v = self.value(*v));
+    }
 
     /// Probability that 1 - cosΘ ≤ v.
     fn cumulative(&self, v: f64) -> f64;

@@ -44,6 +44,13 @@ impl PhaseFunction for Modified {
         if v < self.edge { 0.0 } else { self.inner.value(v) / self.kept() }
     }
 
+    fn values_at(&self, v: &mut [f64]) {
+        let mut whole = v.to_vec();
+        self.inner.values_at(&mut whole);
+        let cut = |(v, p): (&mut f64, f64)| *v = if *v < self.edge { 0.0 } else { p / self.kept() };
+        v.iter_mut().zip(whole).for_each(cut);
+    }
+
     fn cumulative(&self, v: f64) -> f64 {
         if v <= self.edge { 0.0 } else { (self.inner.cumulative(v) - self.forward_fraction) / self.kept() }
     }

@@ -64,7 +64,7 @@ impl PhaseTable {
     /// [`OpticsError::NegativeSum`] if the truncated sum swings below zero, [`OpticsError::NotNormalised`] if the
     /// nodes cannot hold the result.
     pub fn squared(&self) -> Result<Self, OpticsError> {
-        let squares: Vec<f64> = self.moments(self.square_order()).iter().map(|chi| chi * chi).collect();
+        let squares: Vec<f64> = self.moments_to_square().iter().map(|chi| chi * chi).collect();
         // A jump of P is none of P*P, whose sum is the same on both sides.
         let theta: Vec<f64> = self.theta_rad().to_vec();
         let p = legendre::sum(&squares, &theta);
@@ -72,8 +72,8 @@ impl PhaseTable {
         Self::new(self.theta_deg().to_vec(), p, Norm::Any)
     }
 
-    /// The number of moments whose squares matter: the rest of Σ(2l+1)χ_l² is below 1e-4 of the sum.
-    pub(super) fn square_order(&self) -> usize {
+    /// The moments whose squares matter: the rest of Σ(2l+1)χ_l² is below 1e-4 of the sum.
+    pub(super) fn moments_to_square(&self) -> Vec<f64> {
         const MOST: usize = 1 << 13;
         let mut count = 256;
         loop {
@@ -82,7 +82,7 @@ impl PhaseTable {
             let total = (0..count).fold(0.0, |sum, l| sum + term(l));
             let tail = (count - count / 4..count).fold(0.0, |sum, l| sum + term(l));
             if tail < 1e-4 * total || count >= MOST {
-                return count;
+                return moments;
             }
             count *= 2;
         }

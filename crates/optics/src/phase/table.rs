@@ -5,7 +5,8 @@
 //! form of [`cell`](super::cell), its inversion exact to rounding.
 
 use super::cell::Cell;
-use super::{PhaseFunction, angle, legendre, versine};
+use super::guide::Guide;
+use super::{PhaseFunction, angle, angles::angles, legendre, versine};
 use crate::OpticsError;
 use stratiform_quantities::Range;
 
@@ -20,6 +21,10 @@ pub struct PhaseTable {
     p: Vec<f64>,
     /// ½∫P sinΘ dΘ up to each node; the last is 1.
     cumulative: Vec<f64>,
+    /// To the right of each node but the last; flat at a jump.
+    pieces: Vec<Cell>,
+    /// Where the cells of an angle and of a probability are.
+    guides: [Guide; 2],
 }
 
 /// What to do with a table whose norm is not 1 to 1e-3.
@@ -44,17 +49,21 @@ impl PhaseTable {
             None => OpticsError::Table(message),
         })?;
         let theta: Vec<f64> = theta_deg.iter().map(|t| t.to_radians()).collect();
-        let mut table = Self { cumulative: vec![0.0; theta.len()], theta_deg, theta, p };
+        let guides = [Guide::new(&theta), Guide::new(&theta)];
+        let (cumulative, pieces) = (vec![0.0; theta.len()], Vec::new());
+        let mut table = Self { theta_deg, theta, p, cumulative, pieces, guides };
         let integral = table.accumulate();
         if !(integral.is_finite() && integral > 0.0) || (norm == Norm::Strict && !NORM.contains(integral)) {
             return Err(OpticsError::NotNormalised { norm: integral });
         }
         table.divide_by(integral);
+        table.guides[1] = Guide::new(&table.cumulative);
         Ok(table)
     }
 
-    /// Fills the cumulative with the partial integrals and returns the last.
+    /// Fills the pieces, and the cumulative with the partial integrals, and returns the last.
     fn accumulate(&mut self) -> f64 {
+        self.pieces = (0..self.theta.len() - 1).map(|i| self.piece(i)).collect();
         let mut sum = 0.0;
         for i in 1..self.theta.len() {
             sum += 0.5 * self.cell(i - 1).integral(self.width(i - 1));
@@ -103,7 +112,7 @@ impl PhaseTable {
     /// The Θ in radians below which the probability is `xi`.
     pub fn invert_theta(&self, xi: f64) -> f64 {
         let last = self.theta.len() - 2;
-        let i = self.cumulative.partition_point(|&f| f <= xi).saturating_sub(1).min(last);
+        let i = self.guides[1].place(&self.cumulative, xi).min(last);
         self.theta[i] + self.cell(i).invert(2.0 * (xi - self.cumulative[i]).max(0.0), self.width(i))
     }
 
@@ -114,17 +123,22 @@ impl PhaseTable {
     /// The index of the cell that holds `theta`; at a node, the cell to its right.
     fn cell_of(&self, theta: f64) -> usize {
         let last = self.theta.len() - 2;
-        let mut i = self.theta.partition_point(|&node| node <= theta).saturating_sub(1).min(last);
-        while i > 0 && self.width(i) == 0.0 {
+        let mut i = self.guides[0].place(&self.theta, theta).min(last);
+        // Only the last node can have a jump to its right and hold the angle.
+        while i == last && i > 0 && self.width(i) == 0.0 {
             i -= 1;
         }
         i
     }
 
-    fn cell(&self, i: usize) -> Cell {
+    fn piece(&self, i: usize) -> Cell {
         let width = self.width(i);
         let slope = if width > 0.0 { (self.p[i + 1] - self.p[i]) / width } else { 0.0 };
         Cell { start: self.theta[i], value: self.p[i], slope }
+    }
+
+    fn cell(&self, i: usize) -> Cell {
+        self.pieces[i]
     }
 
     pub(super) fn cells(&self) -> impl Iterator<Item = (Cell, f64)> {
@@ -161,6 +175,11 @@ pub(super) fn check(theta_deg: &[f64], p: &[f64]) -> Result<(), (Option<usize>, 
 impl PhaseFunction for PhaseTable {
     fn value(&self, v: f64) -> f64 {
         self.at(angle(v))
+    }
+
+    fn values_at(&self, v: &mut [f64]) {
+        angles(v);
+        v.iter_mut().for_each(|theta| *theta = self.at(*theta));
     }
 
     fn cumulative(&self, v: f64) -> f64 {

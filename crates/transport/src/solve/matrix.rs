@@ -123,30 +123,36 @@ impl Matrix {
     }
 
     /// The same for several right sides.
-    pub(crate) fn solve_each(mut self, mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-        let n = self.size;
-        for k in 0..n {
-            let pivot = self.pivot(k);
-            if pivot != k {
-                let (a, b) = self.two_rows(k, pivot);
-                a.swap_with_slice(b);
-                rights.iter_mut().for_each(|right| right.swap(k, pivot));
-            }
-            let inverse = 1.0 / self[(k, k)];
-            for i in k + 1..n {
-                let (above, row) = self.two_rows(k, i);
-                let factor = row[k] * inverse;
-                add_scaled(&mut row[k + 1..], -factor, &above[k + 1..]);
-                rights.iter_mut().for_each(|right| right[i] -= factor * right[k]);
-            }
-        }
-        for right in &mut rights {
-            for k in (0..n).rev() {
-                right[k] = (right[k] - dot(&self.row(k)[k + 1..], &right[k + 1..])) / self[(k, k)];
-            }
-        }
-        rights
+    pub(crate) fn solve_each(self, rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        eliminate(self, rights)
     }
+}
+
+/// Gaussian elimination in a processor's lanes: nothing is fused or reordered, the bits are the same on all.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn eliminate(mut a: Matrix, mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    let n = a.size;
+    for k in 0..n {
+        let pivot = a.pivot(k);
+        if pivot != k {
+            let (top, low) = a.two_rows(k, pivot);
+            top.swap_with_slice(low);
+            rights.iter_mut().for_each(|right| right.swap(k, pivot));
+        }
+        let inverse = 1.0 / a[(k, k)];
+        for i in k + 1..n {
+            let (above, row) = a.two_rows(k, i);
+            let factor = row[k] * inverse;
+            add_scaled(&mut row[k + 1..], -factor, &above[k + 1..]);
+            rights.iter_mut().for_each(|right| right[i] -= factor * right[k]);
+        }
+    }
+    for right in &mut rights {
+        for k in (0..n).rev() {
+            right[k] = (right[k] - dot(&a.row(k)[k + 1..], &right[k + 1..])) / a[(k, k)];
+        }
+    }
+    rights
 }
 
 #[cfg(test)]

@@ -3,41 +3,67 @@
 //! Light that runs down or up with rates a = 1/μ leaves integrals ∫∫e^{-as}e^{-b(t-s)}e^{-c(τ-t)} over 0 < s < t < τ.
 //! They are τ² exp\[-aτ, -bτ, -cτ\], the second divided difference of the exponential (Hermite–Genocchi), symmetric in
 //! a, b, c and positive. With a the smallest, x ≤ y the excesses of the others and ψ(x) = (1-e^{-x})/x, it is
-//! e^{-aτ}(ψ(x) - e^{-x}ψ(y-x))/y, and its power series below y = 1.
+//! e^{-aτ}(ψ(x) - e^{-x}ψ(y-x))/y, and its power series below y = ¼. All without branches, for lanes.
 
-/// ψ(x) = (1 - e^{-x})/x = exp\[0, -x\].
-pub(super) fn mean_exponential(x: f64) -> f64 {
-    if x == 0.0 { 1.0 } else { -libm::expm1(-x) / x }
-}
+use super::elementary::{exponentials, mean_exponential};
+
+/// Below this difference of rates the power series stands in.
+const CLOSE: f64 = 0.25;
+
+/// (-1)ⁿ/(n+2)!; the next term is below 1e-17.
+const SERIES: [f64; 11] = {
+    let mut series = [0.5; 11];
+    let mut n = 1;
+    while n < series.len() {
+        series[n] = -series[n - 1] / (n + 2) as f64;
+        n += 1;
+    }
+    series
+};
 
 /// exp\[-a, -b\].
 pub(super) fn first(a: f64, b: f64) -> f64 {
-    libm::exp(-a.min(b)) * mean_exponential((a - b).abs())
+    exponentials(-a.min(b)).0 * mean_exponential((a - b).abs()).0
 }
 
 /// exp\[-a, -b, -c\].
+#[inline(always)]
 pub(super) fn second(a: f64, b: f64, c: f64) -> f64 {
-    let (low, high) = (a.min(b), a.max(b));
-    let (least, middle, most) = (low.min(c), low.max(high.min(c)), high.max(c));
-    let (x, y) = (middle - least, most - least);
-    let rest = if y < 1.0 {
-        series(x, y)
-    } else {
-        (mean_exponential(x) - libm::exp(-x) * mean_exponential(y - x)) / y
+    let (low, high) = ordered(a, b);
+    let (low, least) = {
+        let (least, other) = ordered(low, c);
+        (other, least)
     };
-    libm::exp(-least) * rest
+    let (middle, most) = ordered(low, high);
+    let (x, y) = (middle - least, most - least);
+    let (near, faded) = mean_exponential(x);
+    let apart = (near - faded * mean_exponential(y - x).0) / y;
+    exponentials(-least).0 * if y < CLOSE { series(x, y) } else { apart }
+}
+
+#[inline(always)]
+fn ordered(a: f64, b: f64) -> (f64, f64) {
+    if a < b { (a, b) } else { (b, a) }
 }
 
 /// Σ(-1)ⁿh_n(x, y)/(n+2)!, h_n the complete homogeneous polynomials.
+#[inline(always)]
 fn series(x: f64, y: f64) -> f64 {
-    let (mut power, mut h, mut factor, mut sum) = (1.0, 1.0, 0.5, 0.0);
-    for n in 0..20 {
+    let (mut power, mut h, mut sum) = (1.0, 1.0, 0.0);
+    for factor in SERIES {
         sum += factor * h;
         power *= x;
         h = y * h + power;
-        factor /= -f64::from(n + 3);
     }
     sum
+}
+
+/// `of[i]` becomes exp\[-a, -(of\[i\]+more)τ, -c\]·τ².
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn second_each(a: f64, c: f64, more: f64, tau: f64, of: &mut [f64]) {
+    for rate in of {
+        *rate = tau * tau * second(a, (*rate + more) * tau, c);
+    }
 }
 
 /// Where light leaves, and its depth integrals; λ, k, κ are 1/μ of sun, intermediate and view direction.
@@ -55,30 +81,42 @@ impl Exit {
     /// ∫e^{-λt}·(way out of depth t) dt.
     pub(super) fn once(&self) -> f64 {
         let Self { top, tau, sun, view } = *self;
-        tau * if top { mean_exponential((sun + view) * tau) } else { first(sun * tau, view * tau) }
+        tau * if top { mean_exponential((sun + view) * tau).0 } else { first(sun * tau, view * tau) }
     }
 
-    /// The same with a way down at rate `k` between two depths.
-    pub(super) fn via_down(&self, k: f64) -> f64 {
+    /// The same with a way down at each rate between two depths; takes the rates' place.
+    pub(super) fn via_down(&self, rates: &mut [f64]) {
         let Self { top, tau, sun, view } = *self;
-        let by = if top {
-            second((sun + view) * tau, (k + view) * tau, 0.0)
+        if top {
+            second_each((sun + view) * tau, 0.0, view, tau, rates);
         } else {
-            second(sun * tau, k * tau, view * tau)
-        };
-        tau * tau * by
+            second_each(sun * tau, view * tau, 0.0, tau, rates);
+        }
     }
 
-    /// The same with a way up at rate `k` between two depths.
-    pub(super) fn via_up(&self, k: f64) -> f64 {
+    /// The same with a way up at each rate between two depths.
+    pub(super) fn via_up(&self, rates: &mut [f64]) {
         let Self { top, tau, sun, view } = *self;
-        let by = if top {
-            second((sun + view) * tau, (k + sun) * tau, 0.0)
+        if top {
+            second_each((sun + view) * tau, 0.0, sun, tau, rates);
         } else {
-            second(sun * tau, (k + sun + view) * tau, view * tau)
-        };
-        tau * tau * by
+            second_each(sun * tau, view * tau, sun + view, tau, rates);
+        }
     }
+
+    /// Both ways at each rate.
+    pub(super) fn via(&self, rates: &[f64]) -> Vias {
+        let mut vias = Vias { down: rates.to_vec(), up: rates.to_vec() };
+        self.via_down(&mut vias.down);
+        self.via_up(&mut vias.up);
+        vias
+    }
+}
+
+/// Depth integrals of ways down and up between two depths.
+pub(super) struct Vias {
+    pub(super) down: Vec<f64>,
+    pub(super) up: Vec<f64>,
 }
 
 #[cfg(test)]
@@ -122,8 +160,8 @@ mod tests {
     /// Both sides of the switch between series and closed form.
     #[test]
     fn the_forms_meet() {
-        for x in [0.0, 0.3, 0.999_999_999] {
-            let (below, above) = (second(0.0, x, 1.0 - 1e-13), second(0.0, x, 1.0 + 1e-13));
+        for x in [0.0, 0.1, 0.249_999_999] {
+            let (below, above) = (second(0.0, x, CLOSE - 1e-13), second(0.0, x, CLOSE + 1e-13));
             assert!((below / above - 1.0).abs() < 1e-12, "{x}");
         }
     }

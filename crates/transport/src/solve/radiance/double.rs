@@ -10,11 +10,13 @@
 //! difference of Gauss rules.
 
 use super::depth::Exit;
+use super::elementary::sine_cosine;
 use super::panels::{Break, Rule};
 use super::phase::Phase;
 use super::scaled::Scaled;
 use super::single::exit;
 use super::view::Geometry;
+use crate::solve::matrix::dot;
 use std::f64::consts::{FRAC_PI_2, PI};
 use stratiform_quantities::Side;
 
@@ -36,18 +38,32 @@ const HORIZON: f64 = 1e-3;
 /// Panels at the edge of a hole in P, in units of θ_f.
 const EDGE: f64 = 0.05;
 
-/// One intermediate cosine: its rate 1/|μ'|, its direction, and ∫P·P over azimuth with the weight.
-#[derive(Clone, Copy, Debug)]
-struct Node {
-    rate: f64,
-    down: bool,
-    weight: f64,
-}
-
-/// The product of phase functions for one sun and view, by one rule.
+/// The product of phase functions for one sun and view, by one rule: intermediate directions down and up.
 #[derive(Clone, Debug)]
 pub(super) struct Pairing {
-    nodes: Vec<Node>,
+    down: Nodes,
+    up: Nodes,
+}
+
+/// Intermediate cosines: their rates 1/|μ'|, and ∫P·P over azimuth with the weight and the rate.
+#[derive(Clone, Debug, Default)]
+struct Nodes {
+    rates: Vec<f64>,
+    weights: Vec<f64>,
+}
+
+impl Nodes {
+    fn push(&mut self, rate: f64, weight: f64) {
+        self.rates.push(rate);
+        self.weights.push(weight * rate);
+    }
+
+    /// Σ weight · depth integral, which `via` puts in the place of rates.
+    fn sum(&self, via: impl Fn(&mut [f64])) -> f64 {
+        let mut integrals = self.rates.clone();
+        via(&mut integrals);
+        dot(&self.weights, &integrals)
+    }
 }
 
 /// The zenith angle and azimuth of a peak.
@@ -68,26 +84,20 @@ impl Pairing {
         if let Some(width) = phase.back {
             peaks.extend(ends.iter().map(|&(theta, phi)| Peak { theta: PI - theta, phi: phi + PI, width }));
         }
-        let mut nodes = Vec::new();
+        let (mut down, mut up, mut circle) = (Nodes::default(), Nodes::default(), Circle::default());
         rule.visit(0.0, PI, &across(&peaks, phase.edge), |theta, weight| {
-            let product = around(phase, &rule, &peaks, theta);
+            let product = circle.around(phase, &rule, &peaks, theta);
             let cosine = libm::cos(theta);
-            nodes.push(Node {
-                rate: 1.0 / cosine.abs(),
-                down: cosine > 0.0,
-                weight: weight * libm::sin(theta) * product,
-            });
+            let nodes = if cosine > 0.0 { &mut down } else { &mut up };
+            nodes.push(1.0 / cosine.abs(), weight * libm::sin(theta) * product);
         });
-        Self { nodes }
+        Self { down, up }
     }
 
     /// Radiance of order 2, δ parts left out.
     pub(super) fn twice(&self, medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> f64 {
         let exit = exit(medium, tau, geometry);
-        let pairs = self.nodes.iter().fold(0.0, |sum, node| {
-            let via = if node.down { exit.via_down(node.rate) } else { exit.via_up(node.rate) };
-            sum + node.weight * node.rate * via
-        });
+        let pairs = self.down.sum(|rates| exit.via_down(rates)) + self.up.sum(|rates| exit.via_up(rates));
         let peaks = if medium.forward == 0.0 { 0.0 } else { forward(&exit, phase, geometry) };
         let scale = medium.albedo / (1.0 - medium.forward);
         scale * scale * exit.sun * exit.view * (pairs / (16.0 * PI) - 0.25 * medium.forward * peaks)
@@ -102,8 +112,9 @@ fn widest(phase: &Phase) -> f64 {
 
 /// One of the two events forward: Ω' = Ω0 or Ω' = Ω.
 fn forward(exit: &Exit, phase: &Phase, geometry: &Geometry) -> f64 {
-    let late = if geometry.side == Side::Top { exit.via_up(exit.view) } else { exit.via_down(exit.view) };
-    phase.at(geometry.deflection()) * (exit.sun * exit.via_down(exit.sun) + exit.view * late)
+    let [sun, view] = [exit.sun, exit.view].map(|rate| exit.via(&[rate]));
+    let late = if geometry.side == Side::Top { view.up[0] } else { view.down[0] };
+    phase.at(geometry.deflection()) * (exit.sun * sun.down[0] + exit.view * late)
 }
 
 /// Where panels in zenith angle end.
@@ -119,24 +130,61 @@ fn across(peaks: &[Peak], edge: Option<f64>) -> Vec<Break> {
     breaks
 }
 
-/// ∫P(Θ1)P(Θ2)dφ' at zenith angle `theta`.
-fn around(phase: &Phase, rule: &Rule, peaks: &[Peak], theta: f64) -> f64 {
-    let view = peaks[1].phi;
-    // Sun and view in one plane: both halves are alike.
-    let symmetric = view == 0.0 || view == PI;
-    let end = if symmetric { PI } else { 2.0 * PI };
-    let rings: Vec<Ring> = peaks.iter().map(|peak| Ring::new(peak.theta, theta)).collect();
-    let breaks = breaks_around(phase, peaks, &rings);
+/// Directions of one zenith angle.
+#[derive(Default)]
+struct Circle {
+    azimuths: Vec<f64>,
+    weights: Vec<f64>,
+    from_sun: Vec<f64>,
+    to_view: Vec<f64>,
+}
+
+impl Circle {
+    /// ∫P(Θ1)P(Θ2)dφ' at zenith angle `theta`.
+    fn around(&mut self, phase: &Phase, rule: &Rule, peaks: &[Peak], theta: f64) -> f64 {
+        let view = peaks[1].phi;
+        // Sun and view in one plane: both halves are alike.
+        let symmetric = view == 0.0 || view == PI;
+        let end = if symmetric { PI } else { 2.0 * PI };
+        let rings: Vec<Ring> = peaks.iter().map(|peak| Ring::new(peak.theta, theta)).collect();
+        self.azimuths.clear();
+        self.weights.clear();
+        rule.visit(0.0, end, &breaks_around(phase, peaks, &rings), |phi, weight| {
+            self.azimuths.push(phi);
+            self.weights.push(weight);
+        });
+        self.from_sun.resize(self.azimuths.len(), 0.0);
+        self.to_view.resize(self.azimuths.len(), 0.0);
+        deflections(&self.azimuths, [&rings[0], &rings[1]], view, [&mut self.from_sun, &mut self.to_view]);
+        phase.at_each(&mut self.from_sun);
+        phase.at_each(&mut self.to_view);
+        let sum = weighted_product(&self.weights, &self.from_sun, &self.to_view);
+        if symmetric { 2.0 * sum } else { sum }
+    }
+}
+
+/// 1 - cosΘ from the first ring's direction, at azimuth 0, and from the second's, at `view`.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn deflections(azimuths: &[f64], rings: [&Ring; 2], view: f64, found: [&mut [f64]; 2]) {
     let (view_sine, view_cosine) = libm::sincos(0.5 * view);
-    let mut sum = 0.0;
-    rule.visit(0.0, end, &breaks, |phi, weight| {
-        let (sine, cosine) = libm::sincos(0.5 * phi);
-        let first = phase.at(rings[0].deflection(sine));
-        if first > 0.0 {
-            sum += weight * first * phase.at(rings[1].deflection(sine * view_cosine - cosine * view_sine));
+    let [from_sun, to_view] = found;
+    for ((phi, from_sun), to_view) in azimuths.iter().zip(from_sun).zip(to_view) {
+        let (sine, cosine) = sine_cosine(0.5 * phi);
+        *from_sun = rings[0].deflection(sine);
+        *to_view = rings[1].deflection(sine * view_cosine - cosine * view_sine);
+    }
+}
+
+/// Σ abc in eight lanes.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn weighted_product(a: &[f64], b: &[f64], c: &[f64]) -> f64 {
+    let mut lanes = [0.0; 8];
+    for ((a, b), c) in a.chunks(8).zip(b.chunks(8)).zip(c.chunks(8)) {
+        for (lane, ((a, b), c)) in lanes.iter_mut().zip(a.iter().zip(b).zip(c)) {
+            *lane += a * b * c;
         }
-    });
-    if symmetric { 2.0 * sum } else { sum }
+    }
+    lanes.iter().sum()
 }
 
 /// A circle of zenith angle θ' as seen from a direction of zenith angle θ.
@@ -157,8 +205,10 @@ impl Ring {
     }
 
     /// 1 - cosΘ at an azimuth whose half has this sine.
+    #[inline(always)]
     fn deflection(&self, half_sine: f64) -> f64 {
-        (self.across + 2.0 * self.radius * half_sine * half_sine).min(2.0)
+        let v = self.across + 2.0 * self.radius * half_sine * half_sine;
+        if v > 2.0 { 2.0 } else { v }
     }
 
     /// The azimuth at which Θ is `edge`.

@@ -17,10 +17,12 @@
 mod depth;
 mod double;
 mod eigen;
+mod elementary;
 mod legendre;
 mod mode;
 mod narrow;
 mod panels;
+mod paths;
 mod phase;
 mod radiances;
 mod response;

@@ -12,11 +12,13 @@
 //! It replaces IMS of Nakajima & Tanaka (1988) and vanishes as L grows: what it gets wrong shows up as a step between two
 //! numbers of streams.
 
+use super::elementary::{exponentials, mean_exponential};
 use super::panels::{Break, Rule};
 use super::phase::Phase;
 use super::scaled::Scaled;
 use super::single::exit;
 use super::view::Geometry;
+use crate::solve::matrix::dot;
 use crate::solve::quadrature::legendre_row;
 use std::f64::consts::PI;
 use stratiform_quantities::Side;
@@ -63,27 +65,42 @@ impl Narrow {
         Self { all, turns }
     }
 
+    /// (2l+1)P_l between sun and view, for every moment: what [`beyond_twice`](Self::beyond_twice) asks for.
+    pub(super) fn waves(&self, geometry: &Geometry) -> Vec<f64> {
+        let mut row = vec![0.0; self.all.len()];
+        legendre_row(1.0 - geometry.deflection(), &mut row);
+        row.iter_mut().enumerate().for_each(|(l, p)| *p *= (2 * l + 1) as f64);
+        row
+    }
+
     /// Orders 3 and above of narrow events, as πL/(μ0F0).
-    pub(super) fn beyond_twice(&self, medium: &Scaled, tau: f64, geometry: &Geometry) -> f64 {
+    pub(super) fn beyond_twice(&self, medium: &Scaled, tau: f64, geometry: &Geometry, waves: &[f64]) -> f64 {
         let exit = exit(medium, tau, geometry);
-        let depth = exit.once();
-        if depth < DARK {
+        let resolved = medium.moments.len();
+        if exit.once() < DARK || self.all.len() <= resolved {
             return 0.0;
         }
-        let path = exit.tau * (exit.sun + exit.view);
-        let slant = Slant::new(exit.tau * exit.sun, exit.tau * exit.view);
-        let moment: &dyn Fn(f64, f64) -> f64 = match geometry.side {
-            Side::Top => &|all, turn| turn / path * turned(all - turn, path) * exit.tau,
-            Side::Bottom => &|all, _| exit.tau * slant.beyond_second(all),
-        };
         let scale = medium.albedo / (1.0 - medium.forward);
-        let narrow = |all: f64, turn: f64| moment(scale * (all - medium.forward), scale * turn);
-        let beam = narrow(0.0, 0.0);
-        let resolved = medium.moments.len();
-        let moments = self.all.iter().zip(&self.turns).enumerate();
-        let moments =
-            moments.map(|(l, (all, turn))| if l < resolved { -beam } else { narrow(*all, *turn) - beam });
-        0.25 * exit.sun * exit.view * legendre_sum(moments, 1.0 - geometry.deflection())
+        // The last is the unscattered beam's.
+        let narrow = |chi: &[f64], less: f64| -> Vec<f64> {
+            chi[resolved..].iter().chain([&0.0]).map(|chi| scale * (chi - less)).collect()
+        };
+        let mut moments = narrow(&self.all, medium.forward);
+        match geometry.side {
+            Side::Top => {
+                let path = exit.tau * (exit.sun + exit.view);
+                turned_each(&mut moments, &narrow(&self.turns, 0.0), path);
+                moments.iter_mut().for_each(|moment| *moment *= exit.tau / path);
+            }
+            Side::Bottom => {
+                moments = Slant::new(exit.tau * exit.sun, exit.tau * exit.view).beyond_second(&moments);
+                moments.iter_mut().for_each(|moment| *moment *= exit.tau);
+            }
+        }
+        let beam = moments.pop().unwrap_or_default();
+        let (low, high) = waves.split_at(resolved);
+        moments.iter_mut().for_each(|moment| *moment -= beam);
+        0.25 * exit.sun * exit.view * (dot(high, &moments) - beam * low.iter().sum::<f64>())
     }
 }
 
@@ -108,9 +125,18 @@ impl Slant {
         Self { paths }
     }
 
-    /// ∫e^{-p}(e^{ap} - 1 - ap - (ap)²/2)/p ds, a ≤ 1.
-    fn beyond_second(&self, a: f64) -> f64 {
-        self.paths.iter().fold(0.0, |sum, &(p, weight)| sum + weight * beyond_second(a * p))
+    /// ∫e^{-p}(e^{ap} - 1 - ap - (ap)²/2)/p ds for each a ≤ 1.
+    fn beyond_second(&self, a: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; a.len()];
+        self.paths.iter().for_each(|&(p, weight)| add_beyond_second(&mut sums, weight, a, p));
+        sums
+    }
+}
+
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn add_beyond_second(sums: &mut [f64], weight: f64, a: &[f64], p: f64) {
+    for (sum, a) in sums.iter_mut().zip(a) {
+        *sum += weight * beyond_second(a * p);
     }
 }
 
@@ -120,32 +146,29 @@ fn smooth(x: f64) -> f64 {
     x * x * x * x * (35.0 - x * (84.0 - x * (70.0 - 20.0 * x)))
 }
 
+/// t∫₀^s e^{-x}(e^{ax} - 1 - ax)dx with a = `all` - t, for each moment; takes the place of `all`.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn turned_each(all: &mut [f64], turns: &[f64], s: f64) {
+    for (all, turn) in all.iter_mut().zip(turns) {
+        *all = turn * turned(*all - turn, s);
+    }
+}
+
 /// ∫₀^s e^{-x}(e^{ax} - 1 - ax)dx.
+#[inline(always)]
 fn turned(a: f64, s: f64) -> f64 {
-    let through = |rate: f64| -libm::expm1(-rate * s) / rate;
-    let rest = if s > 700.0 { 0.0 } else { s * libm::exp(-s) };
-    through(1.0 - a) - through(1.0) * (1.0 + a) + a * rest
+    let through = |rate: f64| s * mean_exponential(rate * s).0;
+    let (straight, faded) = exponentials(-s);
+    through(1.0 - a) + faded * (1.0 + a) + a * s * straight
 }
 
 /// e^y - 1 - y - y²/2.
+#[inline(always)]
 fn beyond_second(y: f64) -> f64 {
-    if y.abs() < 0.1 {
-        let term = y * y * y / 6.0;
-        return term
-            * (1.0 + y / 4.0 * (1.0 + y / 5.0 * (1.0 + y / 6.0 * (1.0 + y / 7.0 * (1.0 + y / 8.0)))));
-    }
-    libm::expm1(y) - y - 0.5 * y * y
-}
-
-/// Σ(2l+1)a_l P_l(x).
-fn legendre_sum(moments: impl Iterator<Item = f64>, x: f64) -> f64 {
-    let (mut before, mut value, mut sum) = (0.0, 1.0, 0.0);
-    for (l, moment) in moments.enumerate() {
-        let (l, odd) = (l as f64, (2 * l + 1) as f64);
-        sum += odd * moment * value;
-        (before, value) = (value, (odd * x * value - l * before) / (l + 1.0));
-    }
-    sum
+    let term = y * y * y / 6.0;
+    let close =
+        term * (1.0 + y / 4.0 * (1.0 + y / 5.0 * (1.0 + y / 6.0 * (1.0 + y / 7.0 * (1.0 + y / 8.0)))));
+    if y.abs() < 0.1 { close } else { exponentials(y).1 - y - 0.5 * y * y }
 }
 
 #[cfg(test)]

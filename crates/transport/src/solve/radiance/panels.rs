@@ -27,8 +27,12 @@ impl Rule {
         let mut ends: Vec<f64> =
             breaks.iter().map(|b| b.at).filter(|at| *at > start && *at < end).chain([start, end]).collect();
         ends.sort_by(f64::total_cmp);
+        // Points further away than the widest panel, or that allow it, narrow none.
+        let near =
+            |b: &&Break| b.at > start - self.widest && b.at < end + self.widest && b.least < self.widest;
+        let breaks: Vec<Break> = breaks.iter().filter(near).copied().collect();
         for pair in ends.windows(2) {
-            self.split(pair[0], pair[1], breaks, &mut f);
+            self.split(pair[0], pair[1], &breaks, &mut f);
         }
     }
 

@@ -41,6 +41,13 @@ impl Values {
             Self::Series(table) => table.at(angle(deflection)),
         }
     }
+
+    fn at_each(&self, deflections: &mut [f64]) {
+        match self {
+            Self::Function(phase) => phase.values_at(deflections),
+            Self::Series(table) => deflections.iter_mut().for_each(|v| *v = table.at(angle(*v))),
+        }
+    }
 }
 
 impl Phase {
@@ -63,6 +70,11 @@ impl Phase {
     /// P at 1 - cosΘ.
     pub(super) fn at(&self, deflection: f64) -> f64 {
         self.values.at(deflection)
+    }
+
+    /// Replaces each 1 - cosΘ by P.
+    pub(super) fn at_each(&self, deflections: &mut [f64]) {
+        self.values.at_each(deflections);
     }
 }
 

@@ -10,10 +10,12 @@
 //! A lossless medium has k = 0 at m = 0, where p and r coincide: k is raised to 1e-8 or 1e-5/τ, which changes
 //! nothing by more than 1e-8.
 
-use super::depth::{Exit, first, mean_exponential};
+use super::depth::{Exit, Vias, first};
+use super::elementary::mean_exponential;
 use super::mode::{Mode, Towards};
+use super::paths::Paths;
 use crate::solve::matrix::Matrix;
-use crate::solve::slab::{Path, slope};
+use crate::solve::slab::slope;
 
 /// One mode in one slab.
 pub(super) struct Response<'a> {
@@ -47,17 +49,26 @@ impl<'a> Response<'a> {
         Self { mode, tau, decay, amplitudes }
     }
 
-    /// Contribution of the mode to πL/(μ0F0), orders 3 and above.
-    pub(super) fn beyond_twice(&self, (place, sun): (usize, &Ray), view: &Ray, exit: &Exit) -> f64 {
+    /// Contribution of the mode to πL/(μ0F0), orders 3 and above; `by_streams` are the depth integrals of the streams.
+    pub(super) fn beyond_twice(
+        &self,
+        (place, sun): (usize, &Ray),
+        view: &Ray,
+        exit: &Exit,
+        by_streams: &Vias,
+    ) -> f64 {
         let omega = self.mode.medium().albedo;
         let (even, odd) = self.without_beam(&self.amplitudes[place], view);
         let free = 0.5 * omega * if exit.top { even + odd } else { even - odd };
         let (s, v) = (&sun.towards, &view.towards);
+        let by_modes = exit.via(&self.decay);
         let driven = self.decay.iter().enumerate().fold(0.0, |sum, (j, &k)| {
-            sum + pair(exit, k, (s.sum[j], k * s.difference[j]), (v.sum[j], k * v.difference[j])) / k
+            let (into, out) = ((s.sum[j], k * s.difference[j]), (v.sum[j], k * v.difference[j]));
+            sum + pair(exit.top, (by_modes.down[j], by_modes.up[j]), into, out) / k
         });
         let second = self.mode.streams().mu.iter().enumerate().fold(0.0, |sum, (i, mu)| {
-            sum + pair(exit, 1.0 / mu, (s.even[i], s.odd[i]), (v.even[i], v.odd[i])) / mu
+            let (into, out) = ((s.even[i], s.odd[i]), (v.even[i], v.odd[i]));
+            sum + pair(exit.top, (by_streams.down[i], by_streams.up[i]), into, out) / mu
         });
         free + 0.125 * omega * omega * exit.sun * exit.view * (driven - second)
     }
@@ -65,21 +76,22 @@ impl<'a> Response<'a> {
     /// Radiance towards the view above, half of it even, half odd about the middle.
     fn without_beam(&self, (sums, differences): &(Vec<f64>, Vec<f64>), view: &Ray) -> (f64, f64) {
         let towards = &view.towards;
+        let paths = Paths::new(&self.decay, self.tau, view.mu);
         let (mut even, mut odd) = (0.0, 0.0);
         for (j, &k) in self.decay.iter().enumerate() {
-            let path = Path::new(k, self.tau, view.mu);
-            even += sums[j] * (towards.sum[j] * path.cosh + towards.difference[j] * k * k * path.sinh_by_k);
-            odd -= differences[j] * (towards.sum[j] * path.sinh_by_k + towards.difference[j] * path.cosh);
+            let (cosh, sinh_by_k) = (paths.cosh[j], paths.sinh_by_k[j]);
+            even += sums[j] * (towards.sum[j] * cosh + towards.difference[j] * k * k * sinh_by_k);
+            odd -= differences[j] * (towards.sum[j] * sinh_by_k + towards.difference[j] * cosh);
         }
         (even, odd)
     }
 }
 
-/// One way down and one way up at rate `k`, each with the scattering into it and out of it.
-fn pair(exit: &Exit, k: f64, into: (f64, f64), out: (f64, f64)) -> f64 {
-    let (same, opposite) =
-        if exit.top { (out.0 - out.1, out.0 + out.1) } else { (out.0 + out.1, out.0 - out.1) };
-    (into.0 + into.1) * same * exit.via_down(k) + (into.0 - into.1) * opposite * exit.via_up(k)
+/// One way down and one way up, each with the scattering into it and out of it, by their depth integrals.
+#[inline]
+fn pair(top: bool, (down, up): (f64, f64), into: (f64, f64), out: (f64, f64)) -> f64 {
+    let (same, opposite) = if top { (out.0 - out.1, out.0 + out.1) } else { (out.0 + out.1, out.0 - out.1) };
+    (into.0 + into.1) * same * down + (into.0 - into.1) * opposite * up
 }
 
 /// Sum and difference of what must enter above and below to take back the particular solution.
@@ -90,7 +102,7 @@ fn entering(mode: &Mode, decay: &[f64], tau: f64, sun: &Ray) -> (Vec<f64>, Vec<f
     for (j, &k) in decay.iter().enumerate() {
         let (e, o) = (sun.towards.sum[j], k * sun.towards.difference[j]);
         let scale = -0.125 * mode.medium().albedo * rate * tau / k;
-        let above = scale * (e - o) * mean_exponential((k + rate) * tau);
+        let above = scale * (e - o) * mean_exponential((k + rate) * tau).0;
         let below = scale * (e + o) * first(k * tau, rate * tau);
         let (phi, psi) = (mode.decay.sum.row(j), mode.decay.difference.row(j));
         for i in 0..count {

@@ -4,7 +4,7 @@
 //! so the series ends early: when four modes in a row, everywhere, add less than a share of the tolerance (one or two
 //! may vanish by parity at the horizon or at a zero of a Legendre function). Modes are worked out in batches of fixed size, in parallel, and added in order.
 
-use super::depth::Exit;
+use super::depth::{Exit, Vias};
 use super::mode::{Mode, Streams};
 use super::response::{Ray, Response};
 use super::scaled::Scaled;
@@ -42,12 +42,16 @@ impl Request<'_> {
 pub(super) fn beyond_twice(medium: &Scaled, count: usize, request: &Request, tolerance: f64) -> Vec<f64> {
     let places: Vec<(f64, usize, &Geometry)> = request.places().collect();
     let streams = Streams::new(count);
+    let rates: Vec<f64> = streams.mu.iter().map(|mu| 1.0 / mu).collect();
+    // What all modes share: the way out of every place, and the depth integrals of the streams.
+    let ways: Vec<Way> =
+        places.par_iter().map(|(tau, _, geometry)| Way::new(exit(medium, *tau, geometry), &rates)).collect();
     let mut sums = vec![0.0; places.len()];
     let mut small = 0;
     let modes: Vec<usize> = (0..medium.moments.len() - 1).collect();
     for batch in modes.chunks(BATCH) {
         let terms: Vec<Vec<f64>> =
-            batch.par_iter().map(|m| mode_terms(&Mode::new(medium, &streams, *m), request)).collect();
+            batch.par_iter().map(|m| mode_terms(&Mode::new(medium, &streams, *m), request, &ways)).collect();
         for (m, terms) in batch.iter().zip(terms) {
             let factor = if *m == 0 { 1.0 } else { 2.0 };
             let mut most: f64 = 0.0;
@@ -65,21 +69,33 @@ pub(super) fn beyond_twice(medium: &Scaled, count: usize, request: &Request, tol
     sums
 }
 
+/// The way out of a place.
+struct Way {
+    exit: Exit,
+    by_streams: Vias,
+}
+
+impl Way {
+    fn new(exit: Exit, rates: &[f64]) -> Self {
+        Self { exit, by_streams: exit.via(rates) }
+    }
+}
+
 /// Fourier coefficients of one mode at every place.
-fn mode_terms(mode: &Mode, request: &Request) -> Vec<f64> {
+fn mode_terms(mode: &Mode, request: &Request, ways: &[Way]) -> Vec<f64> {
     let suns: Vec<Ray> = request.mu0.iter().map(|mu| ray(mode, *mu)).collect();
     let views = Views::new(mode, request);
-    let medium = mode.medium();
+    let extinction = mode.medium().extinction;
     let mut terms = Vec::new();
+    let mut rows = ways.chunks(request.geometries[0].len());
     for tau in request.tau {
-        let response = Response::new(mode, tau * medium.extinction, &suns);
-        for (s, row) in request.geometries.iter().enumerate() {
-            let of = |exit: &Exit, view: &Ray| response.beyond_twice((s, &suns[s]), view, exit);
-            let mut known: Vec<(Exit, f64)> = Vec::new();
-            for (v, geometry) in row.iter().enumerate() {
-                let exit = exit(medium, *tau, geometry);
+        let response = Response::new(mode, tau * extinction, &suns);
+        for (s, row) in suns.iter().enumerate().zip(&mut rows) {
+            let mut known: Vec<(&Exit, f64)> = Vec::new();
+            for (v, Way { exit, by_streams }) in row.iter().enumerate() {
                 let before = known.iter().find(|(other, _)| *other == exit).map(|(_, value)| *value);
-                let value = before.unwrap_or_else(|| of(&exit, views.get(v)));
+                let value =
+                    before.unwrap_or_else(|| response.beyond_twice(s, views.get(v), exit, by_streams));
                 if before.is_none() {
                     known.push((exit, value));
                 }

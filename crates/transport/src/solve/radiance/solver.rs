@@ -46,6 +46,17 @@ pub struct RadianceSolver {
 /// Three rules of order 2, each finer than the one before.
 type Rules = [Pairing; 3];
 
+/// Order 2 at one place.
+type Second = fn(&Rules, &Scaled, &Phase, f64, &Geometry) -> Estimate;
+
+/// What is worked out once for sun and view.
+#[derive(Clone)]
+struct Prepared {
+    rules: Rules,
+    /// (2l+1)P_l between them.
+    waves: Vec<f64>,
+}
+
 impl RadianceSolver {
     /// Prepares radiances within `tolerance`: absolute below 1, relative above.
     ///
@@ -106,10 +117,10 @@ impl RadianceSolver {
         let mut orders = vec![first.collect()];
         let mut streams = 0;
         if highest != RadianceOrder::One {
-            let rules = self.rules(phase, &request)?;
-            orders.push(twice(&as_it_is, phase, &request, &rules));
+            let prepared = self.prepare(&request)?;
+            orders.push(twice(&as_it_is, phase, &request, &prepared, by_rules));
             if highest == RadianceOrder::Total {
-                let (total, count) = self.climb(phase, &request, &rules);
+                let (total, count) = self.climb(&request, &prepared);
                 orders.push(total);
                 streams = count;
             }
@@ -133,19 +144,20 @@ impl RadianceSolver {
         let geometries = geometries(tau, mu0, views)?;
         let clean: Vec<f64> = geometries.iter().map(|row| row[0].mu0).collect();
         let request = Request { tau, mu0: &clean, geometries: &geometries };
-        let rules = self.rules(&self.phase, &request)?;
-        Ok(self.rung(&self.phase, &request, &rules, streams))
+        let prepared = self.prepare(&request)?;
+        Ok(self.rung(&request, &prepared, streams, by_rules))
     }
 
-    /// Rules of order 2 for every geometry, fine enough for every thickness.
-    fn rules(&self, phase: &Phase, request: &Request) -> Result<Vec<Vec<Rules>>, TransportError> {
+    /// Suns outside, views inside: rules of order 2 fine enough for every thickness.
+    fn prepare(&self, request: &Request) -> Result<Vec<Vec<Prepared>>, TransportError> {
         let flat: Vec<&Geometry> = request.geometries.iter().flatten().collect();
-        let rules: Vec<Rules> = flat
-            .par_iter()
-            .map(|geometry| self.rule(phase, request.tau, geometry))
-            .collect::<Result<_, TransportError>>()?;
+        let of = |geometry: &&Geometry| {
+            let rules = self.rule(&self.phase, request.tau, geometry)?;
+            Ok(Prepared { rules, waves: self.narrow.waves(geometry) })
+        };
+        let prepared: Vec<Prepared> = flat.par_iter().map(of).collect::<Result<_, TransportError>>()?;
         let views = request.geometries[0].len();
-        Ok(rules.chunks(views).map(<[Rules]>::to_vec).collect())
+        Ok(prepared.chunks(views).map(<[Prepared]>::to_vec).collect())
     }
 
     /// Three rules that agree to a share of the tolerance, or the finest if they meet the tolerance itself.
@@ -173,12 +185,14 @@ impl RadianceSolver {
     }
 
     /// Totals from the first rung that agrees with the ones below, or from the one that comes nearest to that.
-    fn climb(&self, phase: &Phase, request: &Request, rules: &[Vec<Rules>]) -> (Vec<Estimate>, usize) {
+    fn climb(&self, request: &Request, prepared: &[Vec<Prepared>]) -> (Vec<Estimate>, usize) {
         let mut rungs: Vec<Vec<Estimate>> = Vec::new();
         let (mut reached, mut nearest) = (f64::INFINITY, (Vec::new(), 0));
         let mut before = 0;
         for count in LADDER {
-            rungs.push(self.rung(phase, request, rules, count));
+            // Errors of order 2 are asked of the rungs that can be the last.
+            let second = if rungs.len() < 2 { by_finest } else { by_rules };
+            rungs.push(self.rung(request, prepared, count, second));
             // An error that falls like 1/n: so many times the last step are left.
             let left = before as f64 / (count - before) as f64;
             before = count;
@@ -196,22 +210,27 @@ impl RadianceSolver {
         nearest
     }
 
-    /// Totals with `count` streams; errors are those of order 2.
-    fn rung(&self, phase: &Phase, request: &Request, rules: &[Vec<Rules>], count: usize) -> Vec<Estimate> {
+    /// Totals with `count` streams; errors are those of `second`.
+    fn rung(
+        &self,
+        request: &Request,
+        prepared: &[Vec<Prepared>],
+        count: usize,
+        second: Second,
+    ) -> Vec<Estimate> {
+        let phase = &self.phase;
         let medium = Scaled::new(&self.medium, &self.chi, count, phase.edge.is_some());
         let rest = beyond_twice(&medium, count, request, self.tolerance);
-        let second = twice(&medium, phase, request, rules);
-        request
-            .places()
-            .zip(rest.iter().zip(&second))
-            .map(|((tau, _, geometry), (rest, second))| Estimate {
-                value: once(&medium, phase, tau, geometry)
-                    + second.value
-                    + rest
-                    + self.narrow.beyond_twice(&medium, tau, geometry),
-                std_error: second.std_error,
-            })
-            .collect()
+        let second = twice(&medium, phase, request, prepared, second);
+        let narrow = at_places(request, prepared, |tau, geometry, prepared| {
+            once(&medium, phase, tau, geometry)
+                + self.narrow.beyond_twice(&medium, tau, geometry, &prepared.waves)
+        });
+        let sum = |((second, rest), narrow): ((&Estimate, &f64), &f64)| Estimate {
+            value: second.value + rest + narrow,
+            std_error: second.std_error,
+        };
+        second.iter().zip(&rest).zip(&narrow).map(sum).collect()
     }
 
     /// The last of three rungs with its error: `left` times the last step (at the horizon and in the aureole results
@@ -227,13 +246,35 @@ impl RadianceSolver {
 }
 
 /// Order 2 everywhere.
-fn twice(medium: &Scaled, phase: &Phase, request: &Request, rules: &[Vec<Rules>]) -> Vec<Estimate> {
+fn twice(
+    medium: &Scaled,
+    phase: &Phase,
+    request: &Request,
+    prepared: &[Vec<Prepared>],
+    second: Second,
+) -> Vec<Estimate> {
+    at_places(request, prepared, |tau, geometry, prepared| {
+        second(&prepared.rules, medium, phase, tau, geometry)
+    })
+}
+
+/// `of` every (thickness, sun, view) in the order of results.
+fn at_places<T: Send>(
+    request: &Request,
+    prepared: &[Vec<Prepared>],
+    of: impl Fn(f64, &Geometry, &Prepared) -> T + Sync,
+) -> Vec<T> {
     let views = request.geometries[0].len();
     let places: Vec<(f64, usize, &Geometry)> = request.places().collect();
-    let of = |(place, (tau, sun, geometry)): (usize, &(f64, usize, &Geometry))| {
-        by_rules(&rules[*sun][place % views], medium, phase, *tau, geometry)
+    let one = |(place, (tau, sun, geometry)): (usize, &(f64, usize, &Geometry))| {
+        of(*tau, geometry, &prepared[*sun][place % views])
     };
-    places.par_iter().enumerate().map(of).collect()
+    places.par_iter().enumerate().map(one).collect()
+}
+
+/// The finest rule; no error.
+fn by_finest(rules: &Rules, medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> Estimate {
+    Estimate { value: rules[2].twice(medium, phase, tau, geometry), std_error: 0.0 }
 }
 
 /// The finest rule with its error: twice the last step, or half of the one before lest two rules agree by chance.
