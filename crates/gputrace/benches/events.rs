@@ -28,9 +28,9 @@ const DRAWS: u32 = 100;
 /// What is copied, bytes.
 const COPIED: u32 = 1 << 26;
 const COPY: &str = "
-@group(0) @binding(0) var<storage, read> from: array<vec4<u32>>;
-@group(0) @binding(1) var<storage, read_write> to: array<vec4<u32>>;
-@compute @workgroup_size(64) fn copy(@builtin(global_invocation_id) id: vec3<u32>) { to[id.x] = from[id.x]; }
+@group(0) @binding(0) var<storage, read> source: array<vec4<u32>>;
+@group(0) @binding(1) var<storage, read_write> copied: array<vec4<u32>>;
+@compute @workgroup_size(64) fn copy(@builtin(global_invocation_id) id: vec3<u32>) { copied[id.x] = source[id.x]; }
 ";
 const DRAW: &str = "
 @group(0) @binding(0) var<storage, read_write> sums: array<u32>;
