@@ -58,6 +58,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
             "report",
         ],
     ),
+    ("mpi", &["transport", "cli"]),
 ];
 
 fn dependencies(manifest: &Path) -> BTreeSet<String> {

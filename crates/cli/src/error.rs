@@ -1,6 +1,5 @@
 //! What the command can end with, and the exit code of each.
 
-use std::process::ExitCode;
 use stratiform_artifact::ArtifactError;
 use stratiform_quantities::DomainError;
 
@@ -38,12 +37,12 @@ impl CliError {
     }
 
     /// The process's exit code.
-    pub fn exit_code(&self) -> ExitCode {
-        ExitCode::from(match self {
+    pub fn code(&self) -> u8 {
+        match self {
             Self::Input(_) => 2,
             Self::Failed(_) | Self::Unmet { .. } => 1,
             Self::Interrupted => crate::interrupt::INTERRUPTED,
-        })
+        }
     }
 }
 

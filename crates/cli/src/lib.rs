@@ -28,10 +28,7 @@ use output::{Data, Talk};
 /// # Errors
 /// [`CliError`], whose exit code says which kind.
 pub fn run(cli: &Cli) -> Result<Data, CliError> {
-    interrupt::install();
-    if let Some(threads) = cli.threads {
-        set_threads(threads)?;
-    }
+    set_up(cli.threads)?;
     let talk = Talk { quiet: cli.quiet };
     match &cli.command {
         Command::Mie(args) => commands::mie::run(args),
@@ -60,7 +57,13 @@ pub fn run(cli: &Cli) -> Result<Data, CliError> {
     }
 }
 
-fn set_threads(threads: usize) -> Result<(), CliError> {
+/// Watches for signals; sets the number of threads, one per core if none is given.
+///
+/// # Errors
+/// [`CliError::Input`] outside 1 to 1024 threads.
+pub fn set_up(threads: Option<usize>) -> Result<(), CliError> {
+    interrupt::install();
+    let Some(threads) = threads else { return Ok(()) };
     if !(1..=1024).contains(&threads) {
         return Err(CliError::Input(format!("threads = {threads} is outside [1, 1024]")));
     }

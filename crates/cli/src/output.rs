@@ -20,6 +20,22 @@ pub fn emit(data: &str) -> Result<(), CliError> {
     }
 }
 
+/// Ends a command: data to stdout, an error to stderr. Returns the exit code.
+#[expect(clippy::print_stderr, reason = "errors are said even when quiet")]
+pub fn finish(result: Result<Data, CliError>) -> u8 {
+    let printed = match result {
+        Err(CliError::Unmet { message, data }) => emit(&data).and(Err(CliError::Failed(message))),
+        result => result.and_then(|data| emit(&data)),
+    };
+    match printed {
+        Ok(()) => 0,
+        Err(error) => {
+            eprintln!("error: {error}");
+            error.code()
+        }
+    }
+}
+
 /// Says something on stderr unless told to be quiet.
 #[derive(Clone, Copy, Debug)]
 pub struct Talk {

@@ -115,10 +115,11 @@ fn photons_are_neither_counted_twice_nor_missed() {
         assert_eq!(error, format!("{message} would be counted twice"));
         assert_eq!(sum, before, "a refused part has changed something");
     }
-    assert_eq!(sum.missing(share(2, 3)), Ok(vec![5000..6666]));
+    let missing = sum.missing(share(2, 3)).unwrap();
+    assert!(missing.len() == 1 && missing[0] == (5000..6666), "{missing:?}");
     sum.merge(&second).unwrap();
     assert_eq!(sum.finish().unwrap(), half_space(&medium, &request));
-    assert_eq!(sum.missing(Share::WHOLE), Ok(vec![]));
+    assert!(sum.missing(Share::WHOLE).unwrap().is_empty());
 }
 
 #[test]

@@ -7,6 +7,7 @@
 
 use super::parts::{RunParts, Snapshot};
 use crate::CliError;
+use crate::args::SpreadArgs;
 use crate::output::Talk;
 use std::fs::{self, File, TryLockError};
 use std::path::{Path, PathBuf};
@@ -23,6 +24,17 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
+    /// The checkpoint that `args` name, if they do, after `parts` took over what it holds.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open) and [`resume`](Self::resume).
+    pub fn resumed(args: &SpreadArgs, parts: &mut RunParts, talk: Talk) -> Result<Option<Self>, CliError> {
+        let Some(path) = &args.checkpoint else { return Ok(None) };
+        let checkpoint = Self::open(path, args.checkpoint_every, talk)?;
+        checkpoint.resume(parts)?;
+        Ok(Some(checkpoint))
+    }
+
     /// Takes the file `path` for this process; it may not be there yet.
     ///
     /// # Errors

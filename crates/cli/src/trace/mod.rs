@@ -12,6 +12,7 @@ mod run;
 mod seal;
 mod share;
 
+pub use crate::medium::Medium;
 pub use checkpoint::Checkpoint;
 pub use device::Device;
 pub use engine::Engine;

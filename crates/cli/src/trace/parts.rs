@@ -1,6 +1,6 @@
 //! What some photons of a run have counted: one part per incidence.
 
-use super::{Engine, TraceRun, seal};
+use super::{Checkpoint, Engine, TraceRun, seal};
 use crate::output::{Data, Talk};
 use crate::{CliError, interrupt, pipeline, progress};
 use serde::{Deserialize, Serialize};
@@ -67,6 +67,27 @@ impl RunParts {
             bar.finish_and_clear();
         }
         Ok(())
+    }
+
+    /// As [`trace`](Self::trace); the checkpoint, where there is one, is kept up, and complete at the end.
+    ///
+    /// # Errors
+    /// As [`trace`](Self::trace).
+    pub fn trace_keeping(
+        &mut self,
+        engines: &[Box<dyn Engine + '_>],
+        checkpoint: Option<Checkpoint>,
+        talk: Talk,
+    ) -> Result<(), CliError> {
+        let Some(mut checkpoint) = checkpoint else { return self.trace(engines, talk, |_| ()) };
+        let _watch = interrupt::watch();
+        let traced = self.trace(engines, talk, |snapshot| checkpoint.keep(snapshot));
+        checkpoint.keep_now(self);
+        if matches!(traced, Err(CliError::Interrupted)) {
+            let photons = self.photons();
+            talk.say(format!("{photons} photons are kept: the same command goes on from there"));
+        }
+        traced
     }
 
     /// Whether every photon of its share is there.

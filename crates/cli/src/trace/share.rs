@@ -2,7 +2,7 @@
 //! others.
 
 use super::{Checkpoint, Device, RunParts, TraceRun};
-use crate::args::{SpreadArgs, TraceArgs};
+use crate::args::TraceArgs;
 use crate::medium::Medium;
 use crate::output::Talk;
 use crate::{CliError, interrupt, pipeline};
@@ -21,21 +21,8 @@ pub fn trace_share(args: &TraceArgs, share: Share, talk: Talk) -> Result<RunPart
     let engines = run.engines(&medium, &device)?;
     let mut parts = RunParts::nothing(run, share, &engines);
     let _watch = interrupt::watch();
-    match checkpoint(&args.spread, talk)? {
-        None => parts.trace(&engines, talk, |_| ())?,
-        Some(mut checkpoint) => {
-            checkpoint.resume(&mut parts)?;
-            let traced = parts.trace(&engines, talk, |snapshot| checkpoint.keep(snapshot));
-            checkpoint.keep_now(&parts);
-            if matches!(traced, Err(CliError::Interrupted)) {
-                talk.say(format!(
-                    "{} photons are kept: the same command goes on from there",
-                    parts.photons()
-                ));
-            }
-            traced?;
-        }
-    }
+    let checkpoint = Checkpoint::resumed(&args.spread, &mut parts, talk)?;
+    parts.trace_keeping(&engines, checkpoint, talk)?;
     Ok(parts)
 }
 
@@ -54,9 +41,4 @@ fn check(args: &TraceArgs, share: Share) -> Result<(), CliError> {
         return Err(CliError::Input(message.to_owned()));
     }
     Ok(())
-}
-
-fn checkpoint(args: &SpreadArgs, talk: Talk) -> Result<Option<Checkpoint>, CliError> {
-    let open = |path| Checkpoint::open(path, args.checkpoint_every, talk);
-    args.checkpoint.as_deref().map(open).transpose()
 }

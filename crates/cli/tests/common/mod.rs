@@ -5,6 +5,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::time::{Duration, Instant};
 
 /// The repository's root.
 pub fn root() -> PathBuf {
@@ -49,4 +50,22 @@ pub fn refused(what: &str, output: &Output, says: &[&str]) {
         assert!(error.contains(part), "{what}: `{part}` is not in: {error}");
     }
     assert!(!error.contains("panicked"), "{what}: {error}");
+}
+
+/// Waits for a file that another process writes.
+pub fn wait_for(path: &Path) {
+    let start = Instant::now();
+    while !path.exists() {
+        assert!(start.elapsed() < Duration::from_secs(60), "{} does not appear", path.display());
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+/// A shell script `name` in `dir` that stands in for a program.
+#[cfg(unix)]
+pub fn program(dir: &Path, name: &str, body: &str) {
+    use std::os::unix::fs::PermissionsExt as _;
+    let path = dir.join(name);
+    std::fs::write(&path, format!("#!/bin/sh\n{body}\n")).unwrap();
+    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).unwrap();
 }
