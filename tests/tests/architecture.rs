@@ -24,6 +24,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("chart", &["quantities", "stats", "artifact", "optics", "transport", "model", "methods", "scene"]),
     ("advise", &["quantities", "artifact", "scene"]),
     ("gpu", &[]),
+    ("gputrace", &["quantities", "stats", "transport", "gpu"]),
     ("imaging", &["quantities", "artifact"]),
     ("world", &["quantities", "artifact", "optics", "tables", "scene", "imaging"]),
     ("pathtrace", &["quantities", "stats", "optics", "imaging", "world"]),
@@ -35,6 +36,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
         &[
             "quantities",
             "gpu",
+            "gputrace",
             "stats",
             "reference-data",
             "artifact",

@@ -198,6 +198,15 @@ pub enum Estimator {
     Plain,
 }
 
+/// Where photons are traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Device {
+    /// The processor, all cores.
+    Cpu,
+    /// The graphics adapter that the system prefers.
+    Gpu,
+}
+
 /// Slabs and how they are lit, the same for every solver.
 #[derive(Debug, Args)]
 pub struct SlabArgs {
@@ -261,6 +270,9 @@ pub struct TraceArgs {
     /// Which tracer; default half-space. Radiance is always scored by the plain one.
     #[arg(long, value_enum)]
     pub estimator: Option<Estimator>,
+    /// Where photons are traced: on a graphics device in single precision, slabs up to 300 deep. Fluxes, half-space.
+    #[arg(long, value_enum, default_value_t = Device::Cpu)]
+    pub device: Device,
     /// Over time and machines. Fluxes only.
     #[command(flatten)]
     pub spread: SpreadArgs,

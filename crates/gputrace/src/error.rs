@@ -17,6 +17,9 @@ pub enum GpuTraceError {
     /// Photons were lost or counted twice: a defect of the driver or of the tracer.
     #[error("the device's books do not balance: {0}")]
     Books(Books),
+    /// Photons wait, none is in flight, and the device takes none: a defect of the driver.
+    #[error("the device takes no photon: {0}")]
+    Stalled(Books),
 }
 
 impl From<DomainError> for GpuTraceError {

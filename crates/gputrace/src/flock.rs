@@ -90,7 +90,11 @@ impl<'a> Flock<'a> {
         let groups = [self.lanes.groups, 1, 1];
         self.gpu.submit_passes(&[Pass { name: "trace", kernel: self.kernel, buffers: &buffers, groups }])?;
         let ledger = self.gpu.download(&self.ledger)?;
+        let before = books.launched;
         books.enter(&bytemuck::pod_read_unaligned(&ledger))?;
+        if books.in_flight == 0 && books.launched == before && before < self.settings.count.into() {
+            return Err(GpuTraceError::Stalled(*books));
+        }
         self.pace.took(start.elapsed());
         Ok(())
     }

@@ -16,6 +16,8 @@ mod lanes;
 mod pace;
 mod shader;
 mod tallies;
+#[cfg(test)]
+mod tests;
 mod tracer;
 
 pub use books::Books;

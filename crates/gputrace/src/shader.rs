@@ -13,11 +13,16 @@ const FLIGHTS: u32 = 16;
 /// Photons of one workgroup.
 pub(crate) const WORKGROUP: u32 = 64;
 
-/// The kernel `trace`.
-pub(crate) fn kernel(gpu: &Gpu) -> Result<Kernel, GpuError> {
+/// The module with the entry point `trace`.
+pub(crate) fn text() -> String {
+    PARTS.concat()
+}
+
+/// The kernel of such a module.
+pub(crate) fn kernel(gpu: &Gpu, text: &str) -> Result<Kernel, GpuError> {
     use Access::{Read, Uniform, Write};
     let bindings = [Uniform, Read, Read, Write, Write, Write, Write];
-    gpu.kernel(&PARTS.concat(), "trace", &bindings)
+    gpu.kernel(text, "trace", &bindings)
 }
 
 /// What the kernel is told with every dispatch.

@@ -17,7 +17,11 @@ impl GpuTracer {
     /// # Errors
     /// [`GpuTraceError::Gpu`] if the device fails.
     pub fn new(gpu: &Gpu) -> Result<Self, GpuTraceError> {
-        Ok(Self { gpu: gpu.clone(), kernel: shader::kernel(gpu)? })
+        Self::of_text(gpu, &shader::text())
+    }
+
+    pub(crate) fn of_text(gpu: &Gpu, text: &str) -> Result<Self, GpuTraceError> {
+        Ok(Self { gpu: gpu.clone(), kernel: shader::kernel(gpu, text)? })
     }
 
     /// The device: name, backend and driver of the adapter.

@@ -16,7 +16,7 @@ use stratiform_gputrace::GpuTracer;
 use stratiform_quantities::{Incidence, Order};
 use stratiform_transport::{Control, Quantity, Stop, TraceMedium, TraceRequest, Traced, trace_half_space};
 
-const PHOTONS: u64 = 40_000;
+const PHOTONS: u64 = 20_000;
 const TAU: [f64; 6] = [16.0, 0.0, 0.3, 50.0, 1.0, 5.0];
 /// Photons by which a counter may differ.
 const FEW: u64 = 4;

@@ -119,31 +119,28 @@ fn random_numbers(_: &TraceMedium) -> f64 {
 
 impl Scaling {
     fn print(&self, pools: &[ThreadPool]) {
-        println!("{}, millions per second: median, best and their ratios to one thread", self.unit);
-        println!("{:>8}{:>36}{:>36}", "threads", "on the wall", "without waits for a processor");
-        let views: [fn(&Rates) -> f64; 2] = [|rates| rates.wall, |rates| rates.given];
+        println!("{}, millions per second, and ratio to one thread", self.unit);
+        println!("{:>8}{:>18}{:>18}{:>18}", "threads", "wall, best", "wall, median", "no waits, median");
+        let views: [fn(&[Rates]) -> f64; 3] = [
+            |rates| quantile(rates, |rates| rates.wall, 1),
+            |rates| quantile(rates, |rates| rates.wall, 2),
+            |rates| quantile(rates, |rates| rates.given, 2),
+        ];
         for (pool, rates) in pools.iter().zip(&self.rates) {
             print!("{:>8}", pool.current_num_threads());
             for view in views {
-                let ([median, best], single) =
-                    (median_and_best(rates, view), median_and_best(&self.rates[0], view));
-                print!(
-                    "{:>10.1}{:>9.1}{:>9.3}{:>8.3}",
-                    median * 1e-6,
-                    best * 1e-6,
-                    median / single[0],
-                    best / single[1]
-                );
+                print!("{:>10.1}{:>8.3}", view(rates) * 1e-6, view(rates) / view(&self.rates[0]));
             }
             println!();
         }
     }
 }
 
-fn median_and_best(rates: &[Rates], view: fn(&Rates) -> f64) -> [f64; 2] {
-    let mut ascending: Vec<f64> = rates.iter().map(view).collect();
+/// The best rate for `part` 1, the median for 2.
+fn quantile(rates: &[Rates], of: fn(&Rates) -> f64, part: usize) -> f64 {
+    let mut ascending: Vec<f64> = rates.iter().map(of).collect();
     ascending.sort_by(f64::total_cmp);
-    [ascending[rates.len() / 2], ascending[rates.len() - 1]]
+    ascending[(rates.len() - 1) / part]
 }
 
 /// The most memory that the process has held after ever more photons.

@@ -1,4 +1,4 @@
-//! Sixty-four photons side by side: the arithmetic of one collision and one flight, as loops over arrays.
+//! A block of photons side by side: the arithmetic of one collision and one flight, as loops over arrays.
 //!
 //! The number of lanes is fixed and each photon draws from its own stream, so the instruction set that the
 //! processor offers changes the speed and nothing else. The generator is PCG-XSH-RR 64/32 (O'Neill 2014). Loops are
@@ -7,13 +7,19 @@
 use crate::real::Real;
 
 /// Photons of one block.
-pub(crate) const LANES: usize = 64;
+pub(crate) const LANES: usize = 128;
 const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
 
-type Lane<T> = [T; LANES];
+/// One value per lane, where vectors can load it whole.
+#[repr(C, align(64))]
+#[derive(Clone)]
+pub(crate) struct Row<T>(pub [T; LANES]);
 
-/// What a lane holds: `batch` says whose tally counts it, `bottom` is the next depth at which something is counted, `slab` its index, and `born` the step
-/// at which the photon had no scattering yet.
+/// One bit per lane.
+pub(crate) type Mask = u128;
+
+/// A photon about to be scattered for the first time: `batch` says whose tally counts it, `bottom` is the next depth
+/// at which something is counted, `slab` its index.
 pub(crate) struct Photon<R> {
     pub state: u64,
     pub increment: u64,
@@ -22,137 +28,142 @@ pub(crate) struct Photon<R> {
     pub bottom: R,
     pub batch: u32,
     pub slab: u32,
-    pub born: u32,
 }
 
-/// Sixty-four photons, field by field.
-#[repr(C, align(64))]
+/// Photons field by field.
+#[repr(C)]
 #[derive(Clone)]
 pub(crate) struct Block<R> {
+    /// Steps done.
+    pub steps: u32,
     pub streams: Streams,
-    pub mu: Lane<R>,
-    pub depth: Lane<R>,
-    pub bottom: Lane<R>,
-    pub batch: Lane<u32>,
-    pub slab: Lane<u32>,
-    pub born: Lane<u32>,
+    pub mu: Row<R>,
+    pub depth: Row<R>,
+    pub bottom: Row<R>,
+    pub batch: Row<u32>,
+    pub slab: Row<u32>,
+    /// Steps done when the photon had no scattering yet.
+    born: Row<u32>,
 }
 
 /// What a step brought about, one bit per lane.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Events {
     /// There is something to count: the photon passed its bottom or the top, or was absorbed.
-    pub any: u64,
-    pub absorbed: u64,
+    pub any: Mask,
+    pub absorbed: Mask,
 }
 
 impl<R: Real> Block<R> {
     /// No photon anywhere.
     pub fn parked() -> Self {
         Self {
+            steps: 0,
             streams: Streams::default(),
-            mu: [R::ZERO; LANES],
-            depth: [R::PARKED; LANES],
-            bottom: [R::INFINITY; LANES],
-            batch: [0; LANES],
-            slab: [0; LANES],
-            born: [0; LANES],
+            mu: Row([R::ZERO; LANES]),
+            depth: Row([R::PARKED; LANES]),
+            bottom: Row([R::INFINITY; LANES]),
+            batch: Row([0; LANES]),
+            slab: Row([0; LANES]),
+            born: Row([0; LANES]),
         }
     }
 
     #[inline(always)]
     pub fn place(&mut self, lane: usize, photon: Photon<R>) {
-        self.streams.state[lane] = photon.state;
-        self.streams.increment[lane] = photon.increment;
-        self.mu[lane] = photon.mu;
-        self.depth[lane] = photon.depth;
-        self.bottom[lane] = photon.bottom;
-        self.batch[lane] = photon.batch;
-        self.slab[lane] = photon.slab;
-        self.born[lane] = photon.born;
+        self.streams.state.0[lane] = photon.state;
+        self.streams.increment.0[lane] = photon.increment;
+        self.mu.0[lane] = photon.mu;
+        self.depth.0[lane] = photon.depth;
+        self.bottom.0[lane] = photon.bottom;
+        self.batch.0[lane] = photon.batch;
+        self.slab.0[lane] = photon.slab;
+        self.born.0[lane] = self.steps;
     }
 
-    pub fn photon(&self, lane: usize) -> Photon<R> {
-        Photon {
-            state: self.streams.state[lane],
-            increment: self.streams.increment[lane],
-            mu: self.mu[lane],
-            depth: self.depth[lane],
-            bottom: self.bottom[lane],
-            batch: self.batch[lane],
-            slab: self.slab[lane],
-            born: self.born[lane],
-        }
+    /// Scatterings of the photon in `lane`.
+    #[inline(always)]
+    pub fn order(&self, lane: usize) -> u32 {
+        self.steps.wrapping_sub(self.born.0[lane])
+    }
+
+    pub fn is_parked(&self, lane: usize) -> bool {
+        self.bottom.0[lane] == R::INFINITY
     }
 
     pub fn park(&mut self, lane: usize) {
-        self.depth[lane] = R::PARKED;
-        self.bottom[lane] = R::INFINITY;
+        self.depth.0[lane] = R::PARKED;
+        self.bottom.0[lane] = R::INFINITY;
     }
 
     /// One collision and the flight after it in every lane. A collision absorbs where its random word is not below
     /// `absorbs_from`.
     #[inline(always)]
     pub fn collide_and_fly(&mut self, table: &R::Table, absorbs_from: u64) -> Events {
+        self.steps = self.steps.wrapping_add(1);
         let absorbed = self.absorb(absorbs_from);
-        let angles = R::sample(table, &self.streams.draw());
+        let angles = Row(R::sample(table, &self.streams.draw().0));
         let azimuths = self.streams.draw();
-        let paths = self.streams.draw();
+        let words = self.streams.draw();
+        let mut paths = Row([R::ZERO; LANES]);
         for k in 0..LANES {
-            let mu = self.mu[k].scattered(angles[k], R::azimuth_cosine(azimuths[k]));
-            self.mu[k] = mu;
-            self.depth[k] = self.depth[k] + mu * R::optical_path(paths[k]);
+            paths.0[k] = R::optical_path(words.0[k]);
+        }
+        for k in 0..LANES {
+            let mu = self.mu.0[k].scattered(angles.0[k], R::azimuth_cosine(azimuths.0[k]));
+            self.mu.0[k] = mu;
+            self.depth.0[k] = self.depth.0[k] + mu * paths.0[k];
         }
         Events { any: absorbed | self.left(), absorbed }
     }
 
     #[inline(always)]
-    fn absorb(&mut self, absorbs_from: u64) -> u64 {
+    fn absorb(&mut self, absorbs_from: u64) -> Mask {
         if absorbs_from >= 1 << 32 {
             return 0;
         }
         let words = self.streams.draw();
-        let mut absorbed = [0; LANES];
+        let mut absorbed = Row([0; LANES]);
         for k in 0..LANES {
-            absorbed[k] = u8::from(words[k] >= absorbs_from as u32);
+            absorbed.0[k] = u8::from(words.0[k] >= absorbs_from as u32);
         }
         gathered(&absorbed)
     }
 
     /// The lanes whose photon is above the top or below its bottom.
     #[inline(always)]
-    fn left(&self) -> u64 {
-        let mut left = [0; LANES];
+    fn left(&self) -> Mask {
+        let mut left = Row([0; LANES]);
         for k in 0..LANES {
-            left[k] = u8::from((self.depth[k] < R::ZERO) | (self.depth[k] >= self.bottom[k]));
+            left.0[k] = u8::from((self.depth.0[k] < R::ZERO) | (self.depth.0[k] >= self.bottom.0[k]));
         }
         gathered(&left)
     }
 }
 
 /// One generator per lane.
-#[repr(C, align(64))]
+#[repr(C)]
 #[derive(Clone)]
 pub(crate) struct Streams {
-    pub state: Lane<u64>,
+    pub state: Row<u64>,
     /// Odd.
-    pub increment: Lane<u64>,
+    pub increment: Row<u64>,
 }
 
 impl Default for Streams {
     fn default() -> Self {
-        Self { state: [0; LANES], increment: [1; LANES] }
+        Self { state: Row([0; LANES]), increment: Row([1; LANES]) }
     }
 }
 
 impl Streams {
     /// One random word per lane.
     #[inline(always)]
-    pub fn draw(&mut self) -> Lane<u32> {
-        let halves: &Lane<[u32; 2]> = bytemuck::cast_ref(&self.state);
-        let mut words = [0; LANES];
-        for k in 0..LANES {
-            words[k] = output(halves[k]);
+    pub fn draw(&mut self) -> Row<u32> {
+        let halves: &[[u32; 2]; LANES] = bytemuck::cast_ref(&self.state.0);
+        let mut words = Row([0; LANES]);
+        for (word, halves) in words.0.iter_mut().zip(halves) {
+            *word = output(*halves);
         }
         self.advance();
         words
@@ -161,7 +172,8 @@ impl Streams {
     #[inline(always)]
     pub fn advance(&mut self) {
         for k in 0..LANES {
-            self.state[k] = self.state[k].wrapping_mul(MULTIPLIER).wrapping_add(self.increment[k]);
+            let next = self.state.0[k].wrapping_mul(MULTIPLIER).wrapping_add(self.increment.0[k]);
+            self.state.0[k] = next;
         }
     }
 }
@@ -176,11 +188,11 @@ fn output(halves: [u32; 2]) -> u32 {
 
 /// Bit k is byte k, each of which is 0 or 1.
 #[inline(always)]
-fn gathered(bytes: &Lane<u8>) -> u64 {
+fn gathered(bytes: &Row<u8>) -> Mask {
     let mut bits = 0;
-    for (k, eight) in bytes.as_chunks::<8>().0.iter().enumerate() {
+    for (k, eight) in bytes.0.as_chunks::<8>().0.iter().enumerate() {
         let spread = u64::from_le_bytes(*eight).wrapping_mul(0x0102_0408_1020_4080);
-        bits |= (spread >> 56) << (8 * k);
+        bits |= Mask::from(spread >> 56) << (8 * k);
     }
     bits
 }
@@ -199,22 +211,22 @@ mod tests {
         let mut single: Vec<Pcg32> = (0..LANES).map(stream).collect();
         for (lane, rng) in single.iter_mut().enumerate() {
             rng.next_u32();
-            streams.state[lane] = rng.state();
-            streams.increment[lane] = (rng.stream() << 1) | 1;
+            streams.state.0[lane] = rng.state();
+            streams.increment.0[lane] = (rng.stream() << 1) | 1;
         }
         for _ in 0..1000 {
             let words = streams.draw();
-            assert!(single.iter_mut().zip(words).all(|(rng, word)| rng.next_u32() == word));
+            assert!(single.iter_mut().zip(words.0).all(|(rng, word)| rng.next_u32() == word));
         }
     }
 
     #[test]
     fn bytes_become_bits() {
         for lane in 0..LANES {
-            let mut bytes = [0; LANES];
-            bytes[lane] = 1;
+            let mut bytes = Row([0; LANES]);
+            bytes.0[lane] = 1;
             assert_eq!(gathered(&bytes), 1 << lane);
         }
-        assert_eq!(gathered(&[1; LANES]), u64::MAX);
+        assert_eq!(gathered(&Row([1; LANES])), Mask::MAX);
     }
 }

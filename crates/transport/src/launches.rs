@@ -1,20 +1,20 @@
-//! Photons about to enter the lanes, prepared sixty-four at a time: stream, direction and first flight.
+//! Photons about to enter the lanes, prepared a row at a time: stream, direction and first flight.
 
-use crate::lanes::{LANES, Streams};
+use crate::lanes::{LANES, Row, Streams};
 use crate::real::Real;
 use std::ops::Range;
 use stratiform_quantities::Incidence;
 use stratiform_stats::photon_seed;
 
 /// A row of photons after their first flight, of which those from `next` on are still to enter.
-#[repr(C, align(64))]
+#[repr(C)]
 pub(crate) struct Launches<'a, R> {
     pub streams: Streams,
-    pub mu: [R; LANES],
-    pub depth: [R; LANES],
+    pub mu: Row<R>,
+    pub depth: Row<R>,
     /// Which of the ranges a photon is from.
-    pub batch: [u32; LANES],
-    index: [u64; LANES],
+    pub batch: Row<u32>,
+    index: Row<u64>,
     next: usize,
     ready: usize,
     ranges: &'a [Range<u64>],
@@ -27,10 +27,10 @@ impl<'a, R: Real> Launches<'a, R> {
     pub fn new(ranges: &'a [Range<u64>]) -> Self {
         Self {
             streams: Streams::default(),
-            mu: [R::ZERO; LANES],
-            depth: [R::ZERO; LANES],
-            batch: [0; LANES],
-            index: [0; LANES],
+            mu: Row([R::ZERO; LANES]),
+            depth: Row([R::ZERO; LANES]),
+            batch: Row([0; LANES]),
+            index: Row([0; LANES]),
             next: 0,
             ready: 0,
             ranges,
@@ -61,8 +61,8 @@ impl<'a, R: Real> Launches<'a, R> {
             let (from, free) = (range.start + self.prepared, LANES - self.ready);
             let count = (range.end - from).min(free as u64) as usize;
             for k in 0..count {
-                self.index[self.ready + k] = from + k as u64;
-                self.batch[self.ready + k] = self.range as u32;
+                self.index.0[self.ready + k] = from + k as u64;
+                self.batch.0[self.ready + k] = self.range as u32;
             }
             self.ready += count;
             self.prepared += count as u64;
@@ -77,24 +77,24 @@ impl<'a, R: Real> Launches<'a, R> {
     #[inline(always)]
     fn prepare(&mut self, key: u64, incidence: Incidence) {
         for k in 0..LANES {
-            let (state, stream) = photon_seed(key, self.index[k]);
+            let (state, stream) = photon_seed(key, self.index.0[k]);
             let increment = (stream << 1) | 1;
-            self.streams.state[k] = state.wrapping_add(increment);
-            self.streams.increment[k] = increment;
+            self.streams.state.0[k] = state.wrapping_add(increment);
+            self.streams.increment.0[k] = increment;
         }
         self.streams.advance();
         match incidence {
-            Incidence::Beam(mu0) => self.mu = [R::rounded(mu0.get()); LANES],
+            Incidence::Beam(mu0) => self.mu = Row([R::rounded(mu0.get()); LANES]),
             Incidence::Diffuse => {
                 let words = self.streams.draw();
                 for k in 0..LANES {
-                    self.mu[k] = R::diffuse_cosine(words[k]);
+                    self.mu.0[k] = R::diffuse_cosine(words.0[k]);
                 }
             }
         }
         let paths = self.streams.draw();
         for k in 0..LANES {
-            self.depth[k] = self.mu[k] * R::optical_path(paths[k]);
+            self.depth.0[k] = self.mu.0[k] * R::optical_path(paths.0[k]);
         }
     }
 }

@@ -81,7 +81,7 @@ fn a_trace_that_is_stopped_many_times_ends_as_the_whole() {
             let keep = |part: &Part| {
                 cells += 1;
                 held = part.photons();
-                cancel.store(cells >= 20, Ordering::Relaxed);
+                cancel.store(cells >= 10, Ordering::Relaxed);
             };
             let pool = ThreadPoolBuilder::new().num_threads(1 + stopped % 2).build().unwrap();
             let ended = pool.install(|| job.trace(&mut part, Share::WHOLE, control, keep));
@@ -94,7 +94,7 @@ fn a_trace_that_is_stopped_many_times_ends_as_the_whole() {
             assert!(matches!(part.finish(), Err(TransportError::Missing { .. })));
             stopped += 1;
         }
-        assert!(stopped > 10, "{stopped}");
+        assert!(stopped >= 5, "{stopped}");
         assert_eq!(part.finish().unwrap(), half_space(&medium, &request));
     }
 }
@@ -115,10 +115,11 @@ fn photons_are_neither_counted_twice_nor_missed() {
         assert_eq!(error, format!("{message} would be counted twice"));
         assert_eq!(sum, before, "a refused part has changed something");
     }
-    assert_eq!(sum.missing(share(2, 3)), Ok(vec![5000..6666]));
+    let missing = sum.missing(share(2, 3)).unwrap();
+    assert!(missing.len() == 1 && missing[0] == (5000..6666), "{missing:?}");
     sum.merge(&second).unwrap();
     assert_eq!(sum.finish().unwrap(), half_space(&medium, &request));
-    assert_eq!(sum.missing(Share::WHOLE), Ok(vec![]));
+    assert!(sum.missing(Share::WHOLE).unwrap().is_empty());
 }
 
 #[test]

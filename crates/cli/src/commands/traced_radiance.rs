@@ -1,6 +1,6 @@
 //! `stratiform trace --view-mu …`: radiance by Monte Carlo, as CSV or JSON in the schema of `solve`.
 
-use crate::args::{Estimator, TraceArgs};
+use crate::args::{Device, Estimator, TraceArgs};
 use crate::commands::views;
 use crate::medium::Medium;
 use crate::output::{Data, Talk};
@@ -61,6 +61,9 @@ fn refuse_flux_options(args: &TraceArgs) -> Result<(), CliError> {
         return refuse(
             "--checkpoint and --shard are for fluxes: radiance is summed in the order of the photons",
         );
+    }
+    if args.device == Device::Gpu {
+        return refuse("--device gpu is for fluxes: radiance is traced on the processor");
     }
     if args.estimator == Some(Estimator::HalfSpace) {
         return refuse("--estimator half-space keeps no directions: radiance is scored by the plain tracer");

@@ -5,6 +5,7 @@
 //! would have, and print the same bytes.
 
 mod checkpoint;
+mod device;
 mod engine;
 mod parts;
 mod run;
@@ -13,6 +14,7 @@ mod share;
 
 pub use crate::medium::Medium;
 pub use checkpoint::Checkpoint;
+pub use device::Device;
 pub use engine::Engine;
 pub use parts::{RunParts, Snapshot};
 pub use run::TraceRun;

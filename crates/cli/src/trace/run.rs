@@ -1,6 +1,6 @@
 //! Everything that the printed bytes of a trace of fluxes depend on, and the printing.
 
-use super::Engine;
+use super::{Device, Engine};
 use crate::args::{Estimator, TraceArgs};
 use crate::commands::order_rows;
 use crate::medium::Medium;
@@ -24,11 +24,14 @@ pub struct TraceRun {
     orders: u32,
     seed: u64,
     estimator: Estimator,
+    /// The adapter, on a graphics device.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    device: Option<String>,
 }
 
 impl TraceRun {
-    /// What `args` ask for in `medium`.
-    pub fn new(args: &TraceArgs, medium: &Medium) -> Self {
+    /// What `args` ask for in `medium` on `device`.
+    pub fn new(args: &TraceArgs, medium: &Medium, device: &Device) -> Self {
         Self {
             medium: medium.record().clone(),
             tau: args.slab.tau.clone(),
@@ -38,6 +41,7 @@ impl TraceRun {
             orders: args.orders,
             seed: args.seed,
             estimator: args.estimator.unwrap_or(Estimator::HalfSpace),
+            device: device.adapter(),
         }
     }
 
@@ -59,12 +63,19 @@ impl TraceRun {
     ///
     /// # Errors
     /// [`CliError::Input`] naming what is out of domain.
-    pub fn engines<'a>(&self, medium: &'a Medium) -> Result<Vec<Box<dyn Engine + 'a>>, CliError> {
+    pub fn engines<'a>(
+        &self,
+        medium: &'a Medium,
+        device: &'a Device,
+    ) -> Result<Vec<Box<dyn Engine + 'a>>, CliError> {
         let tracer = match self.estimator {
             Estimator::HalfSpace => Tracer::HalfSpace,
             Estimator::Plain => Tracer::Plain,
         };
         let engine = |request| -> Result<Box<dyn Engine + 'a>, CliError> {
+            if let Some(engine) = device.engine(medium.traced(), request)? {
+                return Ok(engine);
+            }
             let job = TraceJob::new(tracer, medium.traced(), request).map_err(pipeline::trace_error)?;
             Ok(Box::new(job))
         };
@@ -136,16 +147,20 @@ impl TraceRun {
             return order_rows::csv(self.medium.medium, results);
         }
         let inputs = (&self.medium, &self.tau, &self.mu0, self.photons, self.std_error, self.orders);
-        let method = match self.estimator {
-            Estimator::HalfSpace => {
-                "half-space Monte Carlo; std_error is one standard deviation of the mean, at least 1/(photons + 3)"
+        let half_space = "half-space Monte Carlo; std_error is one standard deviation of the mean, at least 1/(photons + 3)";
+        let method = match (self.estimator, &self.device) {
+            (Estimator::HalfSpace, None) => half_space.to_owned(),
+            (Estimator::HalfSpace, Some(adapter)) => {
+                format!("{half_space}; in single precision on {adapter}")
             }
-            Estimator::Plain => "plain three-dimensional Monte Carlo; std_error as for half-space",
+            (Estimator::Plain, _) => {
+                "plain three-dimensional Monte Carlo; std_error as for half-space".to_owned()
+            }
         };
         let document = OrdersDocument {
             schema: OrdersDocument::SCHEMA.to_owned(),
             medium: self.medium.clone(),
-            provenance: Provenance::new(hash_of(&inputs), Some(self.seed), method),
+            provenance: Provenance::new(hash_of(&inputs), Some(self.seed), &method),
             results,
         };
         Ok(to_json(&document)?)

@@ -1,7 +1,7 @@
 //! A share of the photons of a trace, from what was typed to what is counted: what every process does, alone or among
 //! others.
 
-use super::{Checkpoint, RunParts, TraceRun};
+use super::{Checkpoint, Device, RunParts, TraceRun};
 use crate::args::TraceArgs;
 use crate::medium::Medium;
 use crate::output::Talk;
@@ -15,9 +15,10 @@ use stratiform_transport::{Share, TransportError};
 /// [`CliError::Input`] for bad input; [`CliError::Interrupted`], after a checkpoint if there is one.
 pub fn trace_share(args: &TraceArgs, share: Share, talk: Talk) -> Result<RunParts, CliError> {
     check(args, share)?;
+    let device = Device::open(args)?;
     let medium = Medium::parse(&args.medium)?;
-    let run = TraceRun::new(args, &medium);
-    let engines = run.engines(&medium)?;
+    let run = TraceRun::new(args, &medium, &device);
+    let engines = run.engines(&medium, &device)?;
     let mut parts = RunParts::nothing(run, share, &engines);
     let _watch = interrupt::watch();
     let checkpoint = Checkpoint::resumed(&args.spread, &mut parts, talk)?;

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, dead_code, reason = "a test may stop where it fails, and uses what it needs")]
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use stratiform_optics::droplets::DropletDistribution;
 use stratiform_optics::ensemble::{EnsembleSpec, QuadratureTolerance, ensemble};
 use stratiform_optics::phase::{HenyeyGreenstein, Modified, PhaseFunction};
@@ -19,8 +19,13 @@ pub fn hg(g: f64, omega: f64) -> TraceMedium {
     TraceMedium::full(Arc::new(HenyeyGreenstein::new(Asymmetry::new(g).unwrap())), albedo(omega))
 }
 
-/// The paper's cloud at 0.55 µm: γ = 2, r_e = 7 µm.
+/// The paper's cloud at 0.55 µm: γ = 2, r_e = 7 µm; computed once.
 fn droplets() -> Arc<dyn PhaseFunction> {
+    static CLOUD: OnceLock<Arc<dyn PhaseFunction>> = OnceLock::new();
+    CLOUD.get_or_init(computed).clone()
+}
+
+fn computed() -> Arc<dyn PhaseFunction> {
     let spec = EnsembleSpec {
         droplets: &DropletDistribution::ModifiedGamma { gamma: 2.0, effective_radius_um: 7.0 }
             .resolve()

@@ -99,7 +99,7 @@ impl LinearPieces {
             signs |= slope;
         }
         if (signs as i32) < 0 {
-            self.split_all(words, &mut v);
+            self.split_all(pieces, words, &mut v);
         }
         v
     }
@@ -107,8 +107,12 @@ impl LinearPieces {
     /// Replaces the samples that fall into split intervals.
     #[cold]
     #[inline(never)]
-    fn split_all(&self, words: &[u32], v: &mut [f32]) {
-        words.iter().zip(v).for_each(|(&bits, v)| *v = self.sample(bits));
+    fn split_all(&self, pieces: &[[u32; 2]], words: &[u32], v: &mut [f32]) {
+        for ((piece, &bits), v) in pieces.iter().zip(words).zip(v) {
+            if (piece[0] | piece[1]) >> 31 == 1 {
+                *v = self.sample(bits);
+            }
+        }
     }
 
     #[inline]
