@@ -15,7 +15,7 @@ use ranks::Ranks;
 use std::process::ExitCode;
 use stratiform_cli::args::TraceArgs;
 use stratiform_cli::output::{self, Talk};
-use stratiform_cli::trace::{Checkpoint, Medium, RunParts, TraceRun};
+use stratiform_cli::trace::{Checkpoint, Device, Medium, RunParts, TraceRun};
 use stratiform_cli::{CliError, set_up};
 
 fn main() -> ExitCode {
@@ -63,9 +63,10 @@ fn prepared(ranks: &Ranks, mut args: TraceArgs) -> Result<TraceArgs, CliError> {
 /// All photons at the first rank, nothing at the others.
 fn trace(ranks: &Ranks, args: &TraceArgs, talk: Talk) -> Result<Option<RunParts>, u8> {
     let say = |error| ranks.say(error);
+    let device = ranks.agree(Device::open(args), say)?;
     let medium = ranks.agree(Medium::parse(&args.medium), say)?;
-    let run = TraceRun::new(args, &medium);
-    let engines = ranks.agree(run.engines(&medium), say)?;
+    let run = TraceRun::new(args, &medium, &device);
+    let engines = ranks.agree(run.engines(&medium, &device), say)?;
     let mut parts = RunParts::nothing(run, ranks.agree(ranks.share(), say)?, &engines);
     let checkpoint = ranks.agree(Checkpoint::resumed(&args.spread, &mut parts, talk), say)?;
     let traced = parts.trace_keeping(&engines, checkpoint, talk).and_then(|()| ranks.sum(parts));

@@ -14,7 +14,7 @@ pub mod nearest;
 pub mod optics;
 pub mod order_rows;
 pub mod phase_check;
-mod picture;
+pub mod picture;
 pub mod radiance;
 pub mod render;
 pub mod report;
