@@ -33,10 +33,11 @@ fn the_committed_ladder_is_whole() {
     let worst = |name| rung(&rows, name).iter().filter_map(|row| row.worst).fold(0.0, f64::max);
     assert!(worst("solver") <= paper_config().transport.tolerance);
     assert!(worst("f32") < 1e-6 && worst("shader") < SHADER, "{} {}", worst("f32"), worst("shader"));
-    // Thicknesses of one incidence share their photons: the rms of so few independent rows may be off by a factor of two.
+    // Thicknesses of one incidence share their photons: of nine independent rows the rms is below 0.4 of what is expected, or above
+    // twice that, with probabilities of 0.0024 and 4e-5; there are 16.
     for row in rung(&rows, "monte-carlo") {
         let ratio = row.rms.unwrap() / row.expected_rms.unwrap();
-        assert!((0.5..2.0).contains(&ratio), "{row:?}");
+        assert!((0.4..2.0).contains(&ratio), "{row:?}");
     }
 }
 

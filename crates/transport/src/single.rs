@@ -9,6 +9,8 @@
 //! | [`azimuth_cosine`] | sin πx, x = i/2³², i the word as a signed number: the cosine of a uniform azimuth | 3·10⁻⁷ |
 //! | [`scattered`] | μ' = μ - μv + √((1-μ²) v (2-v)) cosψ | 3·10⁻⁷ beside that of v |
 //!
+//! What this does to fluxes is measured: [`Kernel::SINGLE_DEPTH`](crate::Kernel::SINGLE_DEPTH).
+//!
 //! μ' may lie beyond ±1 by rounding; the next collision takes (1-μ)(1+μ) < 0 as 0.
 
 use stratiform_optics::sampling::LinearPieces;

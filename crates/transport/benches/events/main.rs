@@ -55,8 +55,8 @@ fn request(tau: f64, incidence: Incidence, photons: u64) -> TraceRequest {
     TraceRequest { tau: vec![tau], incidence, stop: Stop::Photons(photons), max_order: 2, seed: 1, stream: 0 }
 }
 
-/// Tracer by tracer, for one medium and instruction set.
-fn rows(name: &str, medium: &TraceMedium, kernel: Kernel, bound: f64) -> Result<(), Box<dyn Error>> {
+/// One kernel on one medium; without a bound there is no ratio to it.
+fn rows(name: &str, medium: &TraceMedium, kernel: Kernel, bound: Option<f64>) -> Result<(), Box<dyn Error>> {
     for (light, incidence) in [("mu0 = 1", Incidence::beam(1.0)?), ("diffuse", Incidence::Diffuse)] {
         for tau in TAU {
             let request = request(tau, incidence, 1 << 18);
@@ -64,10 +64,8 @@ fn rows(name: &str, medium: &TraceMedium, kernel: Kernel, bound: f64) -> Result<
                 fastest(REPEATS, || trace_half_space_with(kernel, medium, &request, Control::default()))?;
             let sets = format!("{:?}", kernel.instructions);
             let precision = format!("{:?}", kernel.precision.unwrap_or(Precision::Single));
-            println!(
-                "{name:<10}{sets:<10}{precision:<8}{light:<9}{tau:>4}{ns:>8.2}{bound:>8.2}{:>7.2}",
-                ns / bound
-            );
+            let ratio = bound.map(|bound| format!("{bound:>8.2}{:>7.2}", ns / bound)).unwrap_or_default();
+            println!("{name:<10}{sets:<10}{precision:<8}{light:<9}{tau:>4}{ns:>8.2}{ratio}");
         }
     }
     Ok(())
@@ -90,7 +88,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     rayon::ThreadPoolBuilder::new().num_threads(1).build_global()?;
     let phases: [(&str, Arc<dyn PhaseFunction>); 2] =
         [("hg 0.85", Arc::new(HenyeyGreenstein::new(Asymmetry::new(0.85)?))), ("cloud", Arc::new(cloud()?))];
-    println!("ns per scattering event, one core, conservative; bound = the parts by themselves");
+    println!(
+        "ns per scattering event, one core, conservative; then the bound (its parts by themselves), and the ratio to it"
+    );
     for (name, phase) in phases {
         let medium = TraceMedium::full(phase, SingleScatteringAlbedo::CONSERVATIVE);
         println!("{name}: {:.1e} of the table's intervals split", medium.pieces().split_share());
@@ -100,10 +100,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             let listed: Vec<String> =
                 bound::PARTS.iter().zip(parts).map(|(name, ns)| format!("{name} {ns:.2}")).collect();
             println!("{instructions:?} parts: {}; bound {bound:.2}", listed.join(", "));
-            rows(name, &medium, Kernel { precision: Some(Precision::Single), instructions }, bound)?;
+            rows(name, &medium, Kernel { precision: Some(Precision::Single), instructions }, Some(bound))?;
         }
         let double = Kernel { precision: Some(Precision::Double), instructions: Instructions::Widest };
-        rows(name, &medium, double, f64::NAN)?;
+        rows(name, &medium, double, None)?;
         for tau in TAU {
             let request = request(tau, Incidence::beam(1.0)?, 8192);
             let ns = fastest(2, || trace_plain(&medium, &request, Control::default()))?;
