@@ -4,6 +4,7 @@
 //! Both functions are power series cut where the first term left out is below 5·10⁻¹⁴.
 
 use std::f64::consts::{LN_2, PI, SQRT_2};
+use std::ops::{Add, Mul};
 
 /// The unit of ξ for one random word.
 const WORD: f64 = 1.0 / 4_294_967_296.0;
@@ -53,7 +54,10 @@ const SINE: [f64; 9] = {
 
 /// Σ c_n xⁿ.
 #[inline(always)]
-fn horner<const N: usize>(x: f64, coefficients: [f64; N]) -> f64 {
+pub(crate) fn horner<T, const N: usize>(x: T, coefficients: [T; N]) -> T
+where
+    T: Copy + Add<Output = T> + Mul<Output = T>,
+{
     let mut sum = coefficients[N - 1];
     for n in (0..N - 1).rev() {
         sum = sum * x + coefficients[n];

@@ -13,6 +13,7 @@
 //!
 //! μ' may lie beyond ±1 by rounding; the next collision takes (1-μ)(1+μ) < 0 as 0.
 
+use crate::kernels::horner;
 use stratiform_optics::sampling::LinearPieces;
 
 /// The bits of √½.
@@ -76,16 +77,6 @@ pub fn collide_and_fly(table: &LinearPieces, mu: f32, depth: f32, words: [u32; 3
 fn polynomial(t: f32, c: [f32; 9]) -> f32 {
     let square = t * t;
     horner(square, [c[0], c[2], c[4], c[6], c[8]]) + t * horner(square, [c[1], c[3], c[5], c[7]])
-}
-
-/// Σ c_n xⁿ.
-#[inline(always)]
-fn horner<const N: usize>(x: f32, coefficients: [f32; N]) -> f32 {
-    let mut sum = coefficients[N - 1];
-    for n in (0..N - 1).rev() {
-        sum = sum * x + coefficients[n];
-    }
-    sum
 }
 
 #[cfg(test)]

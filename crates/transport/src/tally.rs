@@ -67,17 +67,13 @@ impl Tally {
     /// A photon leaves through the bottom of slab `thickness` after `order` scatterings.
     #[inline]
     pub fn transmit(&mut self, thickness: usize, order: u32) {
-        let cell = self.cell(thickness, order);
-        self.transmitted[cell] += 1;
-        self.passed[thickness] += u64::from(order);
+        self.leave(false, thickness, order);
     }
 
     /// A photon leaves through the top of slab `first` (if nested, of every slab from there on) after `order` scatterings.
     #[inline]
     pub fn reflect(&mut self, first: usize, order: u32) {
-        let cell = self.cell(first, order);
-        self.reflected[cell] += 1;
-        self.turned[first] += u64::from(order);
+        self.leave(true, first, order);
     }
 
     /// [`reflect`](Self::reflect) or [`transmit`](Self::transmit), without a branch between them.
