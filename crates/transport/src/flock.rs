@@ -71,40 +71,49 @@ impl<'a, R: Real> Flock<'a, R> {
 
     #[inline(always)]
     fn settle_all(&mut self, events: Events) {
-        let mut any = events.any;
-        while any != 0 {
-            let bit = any.trailing_zeros();
-            any &= any - 1;
-            let absorbed = events.absorbed != 0 && (events.absorbed >> bit) & 1 == 1;
-            self.settle(lane_of(bit) % LANES, absorbed);
+        let mut absorbed = events.absorbed;
+        while absorbed != 0 {
+            self.absorb(lane_of(absorbed.trailing_zeros()) % LANES);
+            absorbed &= absorbed - 1;
+        }
+        let mut left = events.left;
+        while left != 0 {
+            self.settle(lane_of(left.trailing_zeros()) % LANES);
+            left &= left - 1;
         }
     }
 
-    /// Counts what happened to a photon, and replaces it if it has ended.
+    /// Counts an absorbed photon, which flew on for nothing, and replaces it.
     #[inline(always)]
-    fn settle(&mut self, lane: usize, absorbed: bool) {
+    fn absorb(&mut self, lane: usize) {
+        if !self.lanes.is_parked(lane) {
+            self.ledger.absorb(self.lanes.row.0[lane] as usize, self.lanes.order(lane) - 1);
+            self.launch(lane);
+        }
+    }
+
+    /// Counts what passed its bottom or the top, and replaces it if it has ended.
+    #[inline(always)]
+    fn settle(&mut self, lane: usize) {
         let lanes = &self.lanes;
         let (depth, order, row) = (lanes.depth.0[lane], lanes.order(lane), lanes.row.0[lane] as usize);
-        if absorbed {
-            if lanes.is_parked(lane) {
-                return;
-            }
-            self.ledger.absorb(row, order - 1);
-        } else {
-            let up = depth < R::ZERO;
-            self.ledger.leave(up, row, order);
-            // What is above the top is above all bottoms: nobody could predict a branch on `up`.
-            let row = self.pass(row + 1, depth, order);
-            if !up & (self.bottoms[row] < R::INFINITY) {
-                (self.lanes.row.0[lane], self.lanes.bottom.0[lane]) = (row as u32, self.bottoms[row]);
-                return;
-            }
+        let up = depth < R::ZERO;
+        self.ledger.leave(up, row, order);
+        // What is above the top is above all bottoms: nobody could predict a branch on `up`.
+        let mut next = row + 1;
+        let mut bottom = self.bottoms[next];
+        if depth >= bottom {
+            next = self.pass(next, depth, order);
+            bottom = self.bottoms[next];
         }
-        self.launch(lane);
+        if up | (bottom == R::INFINITY) {
+            return self.launch(lane);
+        }
+        (self.lanes.row.0[lane], self.lanes.bottom.0[lane]) = (next as u32, bottom);
     }
 
     /// Counts the rows from `row` on whose bottoms are above `depth`; returns the first that is not.
-    #[inline(always)]
+    #[inline(never)]
     fn pass(&mut self, mut row: usize, depth: R, order: u32) -> usize {
         while depth >= self.bottoms[row] {
             self.ledger.leave(false, row, order);
@@ -118,7 +127,10 @@ impl<'a, R: Real> Flock<'a, R> {
     fn launch(&mut self, lane: usize) {
         while let Some(from) = self.launches.next(self.half_space.key, self.half_space.incidence) {
             let depth = self.launches.depth.0[from];
-            let row = self.pass(self.launches.row.0[from] as usize, depth, 0);
+            let mut row = self.launches.row.0[from] as usize;
+            if depth >= self.bottoms[row] {
+                row = self.pass(row, depth, 0);
+            }
             if self.bottoms[row] < R::INFINITY {
                 let photon = Photon {
                     state: self.launches.streams.state.0[from],

@@ -47,9 +47,9 @@ pub(crate) struct Block<R> {
 /// What a step brought about, one bit per lane.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Events {
-    /// There is something to count: the photon passed its bottom or the top, or was absorbed.
-    pub any: Mask,
     pub absorbed: Mask,
+    /// The photon passed its bottom or the top and was not absorbed.
+    pub left: Mask,
 }
 
 impl<R: Real> Block<R> {
@@ -109,7 +109,7 @@ impl<R: Real> Block<R> {
             self.mu.0[k] = mu;
             self.depth.0[k] = self.depth.0[k] + mu * paths.0[k];
         }
-        Events { any: absorbed | self.left(), absorbed }
+        Events { absorbed, left: self.left() & !absorbed }
     }
 
     #[inline(always)]
