@@ -95,21 +95,23 @@ impl LinearPieces {
     /// The same for many words at once, as loops that vector units can run.
     #[inline(always)]
     pub fn sample_all<const N: usize>(&self, words: &[u32; N]) -> [f32; N] {
+        // Nobody is lent the pieces: only then does the compiler know that the table is not among them, and gathers.
         let mut pieces = [0; N];
         for k in 0..N {
             pieces[k] = self.first[(words[k] >> (32 - INTERVAL_BITS)) as usize];
         }
         let pieces: &[[u32; 2]; N] = bytemuck::cast_ref(&pieces);
-        let mut v = [0.0; N];
+        let (mut v, mut steps) = ([0.0; N], [0; N]);
         let mut signs = 0;
         for k in 0..N {
             let [first, step] =
                 if cfg!(target_endian = "little") { pieces[k] } else { [pieces[k][1], pieces[k][0]] };
             v[k] = f32::from_bits(first) + rest::<INTERVAL_BITS>(words[k]) * f32::from_bits(step);
+            steps[k] = step;
             signs |= step;
         }
         if (signs as i32) < 0 {
-            self.split_all(pieces, words, &mut v);
+            self.split_all(&steps, words, &mut v);
         }
         v
     }
@@ -117,9 +119,9 @@ impl LinearPieces {
     /// Replaces the samples that fall into split intervals.
     #[cold]
     #[inline(never)]
-    fn split_all(&self, pieces: &[[u32; 2]], words: &[u32], v: &mut [f32]) {
-        for ((piece, &bits), v) in pieces.iter().zip(words).zip(v) {
-            if (piece[0] | piece[1]) >> 31 == 1 {
+    fn split_all(&self, steps: &[u32], words: &[u32], v: &mut [f32]) {
+        for ((step, &bits), v) in steps.iter().zip(words).zip(v) {
+            if step >> 31 == 1 {
                 *v = self.sample(bits);
             }
         }
