@@ -21,6 +21,8 @@ pub(crate) struct Flock<'a, R: Real> {
     table: &'a R::Table,
     /// Of every row of the ledger: for each tally ascending, then infinity.
     bottoms: Vec<R>,
+    /// The same with 0 for infinity: nothing flies on there.
+    limits: Vec<R>,
     launches: Launches<'a, R>,
     ledger: Ledger,
     lanes: Block<R>,
@@ -45,6 +47,7 @@ impl<'a, R: Real> Flock<'a, R> {
             half_space,
             table: R::table(half_space.medium),
             ledger: Ledger::new(first, bottoms.len()),
+            limits: bottoms.iter().map(|&bottom| if bottom < R::INFINITY { bottom } else { R::ZERO }).collect(),
             bottoms,
             launches: Launches::new(photons, slabs.len()),
             lanes: Block::parked(),
@@ -101,15 +104,15 @@ impl<'a, R: Real> Flock<'a, R> {
         self.ledger.leave(up, row, order);
         // What is above the top is above all bottoms: nobody could predict a branch on `up`.
         let mut next = row + 1;
-        let mut bottom = self.bottoms[next];
-        if depth >= bottom {
+        if depth >= self.bottoms[next] {
             next = self.pass(next, depth, order);
-            bottom = self.bottoms[next];
         }
-        if up | (bottom == R::INFINITY) {
-            return self.launch(lane);
+        let limit = self.limits[next];
+        if depth.is_out(limit) {
+            self.launch(lane);
+        } else {
+            (self.lanes.row.0[lane], self.lanes.bottom.0[lane]) = (next as u32, limit);
         }
-        (self.lanes.row.0[lane], self.lanes.bottom.0[lane]) = (next as u32, bottom);
     }
 
     /// Counts the rows from `row` on whose bottoms are above `depth`; returns the first that is not.
@@ -131,13 +134,14 @@ impl<'a, R: Real> Flock<'a, R> {
             if depth >= self.bottoms[row] {
                 row = self.pass(row, depth, 0);
             }
-            if self.bottoms[row] < R::INFINITY {
+            let limit = self.limits[row];
+            if !depth.is_out(limit) {
                 let photon = Photon {
                     state: self.launches.streams.state.0[from],
                     increment: self.launches.streams.increment.0[from],
                     mu: self.launches.mu.0[from],
                     depth,
-                    bottom: self.bottoms[row],
+                    bottom: limit,
                     row: row as u32,
                 };
                 return self.lanes.place(lane, photon);

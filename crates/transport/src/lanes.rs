@@ -182,9 +182,9 @@ pub(crate) fn lane_of(bit: u32) -> usize {
 /// The mask of the lanes for which `flag` is true: lane 16i + j is bit i of byte j, so that vectors can add it up.
 #[inline(always)]
 fn gathered(flag: impl Fn(usize) -> bool) -> Mask {
-    let mut flags = [[0_u32; 16]; 8];
+    let mut flags = [[0_u8; 16]; 8];
     for (lane, one) in flags.as_flattened_mut().iter_mut().enumerate() {
-        *one = u32::from(flag(lane));
+        *one = u8::from(flag(lane));
     }
     let [a, b, c, d, e, f, g, h] = flags;
     let mut bytes = [0; 16];
@@ -192,7 +192,7 @@ fn gathered(flag: impl Fn(usize) -> bool) -> Mask {
         let low = a[j] | (b[j] << 1) | (c[j] << 2) | (d[j] << 3);
         bytes[j] = low | (e[j] << 4) | (f[j] << 5) | (g[j] << 6) | (h[j] << 7);
     }
-    Mask::from_le_bytes(bytes.map(|byte| byte as u8))
+    Mask::from_le_bytes(bytes)
 }
 
 #[cfg(test)]
