@@ -47,7 +47,10 @@ impl<'a, R: Real> Flock<'a, R> {
             half_space,
             table: R::table(half_space.medium),
             ledger: Ledger::new(first, bottoms.len()),
-            limits: bottoms.iter().map(|&bottom| if bottom < R::INFINITY { bottom } else { R::ZERO }).collect(),
+            limits: bottoms
+                .iter()
+                .map(|&bottom| if bottom < R::INFINITY { bottom } else { R::ZERO })
+                .collect(),
             bottoms,
             launches: Launches::new(photons, slabs.len()),
             lanes: Block::parked(),

@@ -99,9 +99,18 @@ mod tests {
     }
 
     #[test]
-    fn the_azimuth_is_the_sine() {
+    fn the_path_of_a_flight_is_the_logarithm_of_the_lower_bits() {
         for bits in words() {
-            let exact = libm::sin(PI * (f64::from(bits as i32) + 0.5) * WORD);
+            let exact = -libm::log((f64::from(bits % (1 << 22)) + 0.5) / 4_194_304.0);
+            let got = flight_path(bits);
+            assert!((got - exact).abs() <= 5e-14 && got > 0.0, "{bits}: {got} {exact}");
+        }
+    }
+
+    #[test]
+    fn the_azimuth_is_the_cosine() {
+        for bits in words() {
+            let exact = libm::cos(2.0 * PI * f64::from(bits as i32) * WORD);
             let got = azimuth_cosine(bits);
             assert!((got - exact).abs() <= 1e-13, "{bits}: {got} {exact}");
         }

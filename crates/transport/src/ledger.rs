@@ -41,7 +41,8 @@ impl Ledger {
     pub fn close(&self, tallies: &mut [Tally]) {
         let rows = self.counts.len() / self.columns / tallies.len();
         for (tally, rows) in tallies.iter_mut().zip(self.counts.chunks_exact(rows * self.columns)) {
-            for (slab, row) in rows.chunks_exact(self.columns).enumerate().take(rows.len() / self.columns - 1) {
+            for (slab, row) in rows.chunks_exact(self.columns).enumerate().take(rows.len() / self.columns - 1)
+            {
                 tally.add_slab(slab, row);
             }
         }
