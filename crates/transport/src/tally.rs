@@ -19,7 +19,8 @@ pub enum Quantity {
 
 /// Counts per thickness and order bin. Bins are the orders 0…N and the tail; thicknesses ascend.
 ///
-/// Sums saturate at 2⁶⁴ - 1: scatterings of 10¹² photons at τ = 10⁶ come to 2·10¹⁸, a ninth of that.
+/// Sums saturate at 2⁶⁴ - 1, which [`TransportError::TooManyScatterings`](crate::TransportError) refuses: scatterings of 10¹² photons
+/// at τ = 10⁶ come to 2·10¹⁸, a ninth of that.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tally {
     /// Rows per thickness.
