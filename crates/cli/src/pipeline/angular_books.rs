@@ -1,7 +1,7 @@
 //! `angular-books.csv`: the energy books of the angular model (Bouthors, Neyret & Lefebvre 2006, section 4), corrected and as
 //! printed, against the 1-D model's orders and the solver's, in the modified medium.
 
-use super::hemisphere::{AtAngle, Hemisphere};
+use super::hemisphere::{AtAngle, Hemisphere, Leaving};
 use super::optics::Cloud;
 use super::reference::Media;
 use super::{curves, input_error, trace_error};
@@ -68,6 +68,8 @@ pub fn rows(
     let lights: Vec<_> = slanted.filter(|(theta, _)| *theta < 90.0).collect();
     let angles: Vec<f64> = lights.iter().map(|(theta, _)| *theta).collect();
     let solved = solve(config, cloud, thickness_m, &angles)?;
+    let leaving: Vec<Leaving> =
+        angles.par_iter().map(|theta| hemisphere.under(cos_degrees(*theta))).collect();
     let mut slabs = Vec::new();
     for (i, (theta, row)) in lights.iter().enumerate() {
         let values = curves::emitted(table, row);
@@ -77,7 +79,7 @@ pub fn rows(
         }
     }
     let books: Vec<Vec<AngularBooksRow>> =
-        slabs.par_iter().map(|slab| slab.books(&hemisphere, &solved)).collect();
+        slabs.par_iter().map(|slab| slab.books(&leaving[slab.place.0], &solved)).collect();
     Ok(books.concat())
 }
 
@@ -106,9 +108,9 @@ struct Slab<'a> {
 }
 
 impl Slab<'_> {
-    fn books(&self, hemisphere: &Hemisphere, solved: &Solved) -> Vec<AngularBooksRow> {
+    fn books(&self, leaving: &Leaving, solved: &Solved) -> Vec<AngularBooksRow> {
         let side = |side| {
-            let integrals = hemisphere.fluxes(cos_degrees(self.theta_l_deg), side, |sight, functions| {
+            let integrals = leaving.fluxes(side, |sight, functions| {
                 radiances(self.kappa_s(), self.thickness_m, &self.fluxes, sight, functions)
             });
             integrals.into_iter().zip(COLUMNS).map(move |(integral, (order, form))| AngularBooksRow {
