@@ -1,10 +1,11 @@
 //! `angular-books.csv`: the energy books of the angular model (Bouthors, Neyret & Lefebvre 2006, section 4), corrected and as
 //! printed, against the 1-D model's orders and the solver's, in the modified medium.
 
+use super::cut::Cut;
 use super::hemisphere::{AtAngle, Hemisphere, Leaving};
 use super::optics::Cloud;
 use super::reference::Media;
-use super::{curves, input_error, trace_error};
+use super::{curves, trace_error};
 use crate::CliError;
 use crate::config::Config;
 use rayon::prelude::*;
@@ -42,27 +43,26 @@ const COLUMNS: [(Order, AngularForm); 9] = [
 pub fn write(
     config: &Config,
     cloud: &Cloud,
+    cut: &Cut,
     parameters: &ParametersDocument,
     dir: &Path,
 ) -> Result<Vec<String>, CliError> {
-    write_csv(&dir.join("angular-books.csv"), &rows(config, cloud, parameters, &THICKNESS_M)?)?;
+    write_csv(&dir.join("angular-books.csv"), &rows(config, cloud, cut, parameters, &THICKNESS_M)?)?;
     Ok(vec!["angular-books.csv".to_owned()])
 }
 
-/// The books of every angle of the table below 90°, where the 1-D model cannot fit, and of these thicknesses.
+/// The books of every angle of the table below 90°, where the 1-D model cannot fit, and of these thicknesses; `cut` is of the same cloud.
 ///
 /// # Errors
 /// [`CliError::Failed`] if the solver misses its tolerance, [`CliError::Input`] for numbers out of domain.
 pub fn rows(
     config: &Config,
     cloud: &Cloud,
+    cut: &Cut,
     parameters: &ParametersDocument,
     thickness_m: &[f64],
 ) -> Result<Vec<AngularBooksRow>, CliError> {
-    let theta_f_deg = parameters.medium.theta_f_deg;
-    let wide = cloud.phase.modified(theta_f_deg).map_err(input_error)?;
-    let squared = wide.squared().map_err(input_error)?;
-    let hemisphere = Hemisphere::new(&wide, &squared, theta_f_deg);
+    let hemisphere = Hemisphere::new(cut, parameters.medium.theta_f_deg);
     let table = &parameters.metres;
     let slanted = table.rows.iter().filter_map(|row| Some((row.theta_l_deg.degrees()?, row)));
     let lights: Vec<_> = slanted.filter(|(theta, _)| *theta < 90.0).collect();

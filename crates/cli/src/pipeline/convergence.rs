@@ -61,6 +61,8 @@ pub fn write(
     let finest = solver.totals_with_streams(FINEST, &tau, &[incidence]).map_err(super::trace_error)?;
     let truth = tau.iter().zip(finest).map(|(tau, (reflectance, _))| (*tau, reflectance)).collect();
     let seed = config.transport.seed.unwrap_or_default();
+    // Its table belongs to no point.
+    media.get(Medium::Full).pieces();
     let cost = solver_cost::rows(&SolveMedium::from(media.get(Medium::Full)), incidence)?;
     let curve = Curve { settings, seed, media, solver, incidence, truth, talk };
     let mut rows = curve.points("plain", trace_plain, &settings.plain_photons)?;

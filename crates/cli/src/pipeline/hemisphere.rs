@@ -9,8 +9,9 @@
 //! exact for what is linear in μ_v over a cell. Forward (Θ < 90°) and backward directions have cells of their own, because the
 //! paper's printed form tells them apart. Relative error below 3e-4.
 
+use super::cut::Cut;
 use stratiform_model::angular::{PhaseLookup, Sight};
-use stratiform_optics::phase::{PhaseTable, gauss_legendre, versine};
+use stratiform_optics::phase::{gauss_legendre, versine};
 use stratiform_quantities::Side;
 
 /// Panels below and beyond θ_f.
@@ -57,7 +58,7 @@ pub struct Hemisphere {
 
 impl Hemisphere {
     /// Nodes for a P_S cut at `theta_f_deg`, and for its square.
-    pub fn new(wide: &PhaseTable, wide_squared: &PhaseTable, theta_f_deg: f64) -> Self {
+    pub fn new(cut: &Cut, theta_f_deg: f64) -> Self {
         let edges = [0.0, theta_f_deg.to_radians(), std::f64::consts::PI];
         let rule = gauss_legendre(NODES);
         let mut nodes = Vec::new();
@@ -66,7 +67,7 @@ impl Hemisphere {
             for panel in 0..panels {
                 nodes.extend(rule.iter().map(|(node, weight)| {
                     let theta = part[0] + half * ((2 * panel + 1) as f64 + node);
-                    let functions = AtAngle { wide: wide.at(theta), wide_squared: wide_squared.at(theta) };
+                    let functions = AtAngle { wide: cut.wide.at(theta), wide_squared: cut.squared.at(theta) };
                     (theta, weight * half * libm::sin(theta), functions)
                 }));
             }

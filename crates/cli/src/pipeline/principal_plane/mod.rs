@@ -6,6 +6,7 @@
 
 mod modelled;
 
+use super::cut::Cut;
 use super::optics::Cloud;
 use super::reference::Media;
 use super::{stream_of_hash, trace_error};
@@ -44,13 +45,14 @@ pub fn write(
     config: &Config,
     settings: &PrincipalPlaneConfig,
     cloud: &Cloud,
+    cut: &Cut,
     parameters: &ParametersDocument,
     dir: &Path,
     talk: Talk,
 ) -> Result<Vec<String>, CliError> {
     const FILE: &str = "figures/principal-plane.csv";
     let media = Media::new(config, cloud)?;
-    let models = Models::new(config, cloud, parameters, dir)?;
+    let models = Models::new(config, cloud, cut, parameters, dir)?;
     let spinner = progress::spinner("principal plane", talk.quiet);
     let mut rows = Vec::new();
     for scene in &settings.scenes {
