@@ -24,7 +24,7 @@ type Tracer = fn(&TraceMedium, &TraceRequest, Control<'_>) -> Result<Traced, Tra
 const TOLERANCE: f64 = 1e-7;
 
 /// Streams per hemisphere of the truth, and of the points.
-const FINEST: usize = 128;
+const FINEST: usize = 96;
 const STREAMS: [usize; 9] = [2, 4, 6, 8, 12, 16, 24, 32, 48];
 
 /// Runs of the solver of which the fastest counts.

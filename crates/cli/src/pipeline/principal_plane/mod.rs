@@ -31,8 +31,9 @@ use stratiform_transport::solve::{RadianceOrder, RadianceSolver, SolveMedium, Vi
 const ORDERS: u32 = 5;
 /// Of the solver's totals; where it is not met, their errors say so.
 const TOLERANCE: f64 = 3e-3;
-/// Within so many degrees of the glory the solver is asked at every angle, elsewhere at every other.
+/// Within so many degrees of the glory, and beyond so many ahead, the solver is asked at every angle; elsewhere at every other.
 const GLORY: f64 = 6.0;
+const AHEAD: f64 = 70.0;
 /// Share of the views' photons that settles order 1 of the full medium far better than its bins settle the rest.
 const ONCE: u64 = 8;
 /// Width of a bin, and |θ_v| of the last edge, degrees.
@@ -201,7 +202,8 @@ impl Plane {
 
     fn solved(&self, rows: &mut Vec<PrincipalPlaneRow>, medium: &TraceMedium) -> Result<(), CliError> {
         let glory = -self.scene.theta_l_deg;
-        let asked = |theta: &f64| theta % f64::from(WIDTH) == 0.0 || (theta - glory).abs() <= GLORY;
+        let steep = |theta: f64| (theta - glory).abs() <= GLORY || theta > AHEAD;
+        let asked = |theta: &f64| theta % f64::from(WIDTH) == 0.0 || steep(*theta);
         let angles: Vec<f64> = angles(LAST, 2, 0).into_iter().filter(asked).collect();
         let views: Vec<View> = angles.iter().map(|theta| view(*theta)).collect();
         let solver = RadianceSolver::new(SolveMedium::from(medium), TOLERANCE).map_err(trace_error)?;
