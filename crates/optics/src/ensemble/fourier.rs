@@ -65,12 +65,16 @@ fn butterflies(z: &mut [Point], turns: &[[f64; 2]]) {
     let (first, second) = z.split_at_mut(z.len() / 2);
     let every = turns.len() / first.len();
     for ((a, b), [cosine, sine]) in first.iter_mut().zip(second).zip(turns.iter().step_by(every)) {
+        // Copies: that places of memory are apart is then known.
+        let ([a_re, a_im], [b_re, b_im]) = (*a, *b);
+        let [mut re, mut im] = [[0.0; LANES]; 2];
         for l in 0..LANES {
-            let (re, im) = (a[0].0[l] - b[0].0[l], a[1].0[l] - b[1].0[l]);
-            a[0].0[l] += b[0].0[l];
-            a[1].0[l] += b[1].0[l];
-            b[0].0[l] = re * cosine - im * sine;
-            b[1].0[l] = re * sine + im * cosine;
+            (a[0].0[l], a[1].0[l]) = (a_re.0[l] + b_re.0[l], a_im.0[l] + b_im.0[l]);
+            (re[l], im[l]) = (a_re.0[l] - b_re.0[l], a_im.0[l] - b_im.0[l]);
+        }
+        for l in 0..LANES {
+            b[0].0[l] = re[l] * cosine - im[l] * sine;
+            b[1].0[l] = re[l] * sine + im[l] * cosine;
         }
     }
 }
