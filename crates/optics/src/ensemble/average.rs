@@ -51,10 +51,10 @@ impl Average {
             Some((SizeParameter::new(basis.wave_number * radius).ok()?, radius, weight))
         };
         let nodes: Vec<_> = block.iter().filter_map(checked).collect();
-        let mut large = Vec::new();
+        let (mut large, mut points) = (Vec::new(), Vec::new());
         for lanes in nodes.chunks(LANES) {
             let x = std::array::from_fn(|l| lanes[l.min(lanes.len() - 1)].0);
-            let coefficients = LaneCoefficients::new(&x, basis.index);
+            let mut coefficients = LaneCoefficients::new(&x, basis.index);
             for ((_, radius, weight), q) in lanes.iter().zip(coefficients.efficiencies()) {
                 let area = weight * PI * radius * radius;
                 sum.extinction += area * q.q_ext;
@@ -63,15 +63,14 @@ impl Average {
             }
             let weights: Vec<f64> = lanes.iter().map(|node| node.2).collect();
             if coefficients.orders.len() <= circle::MOST_ORDERS {
-                let orders: Vec<_> = coefficients
+                coefficients
                     .orders
-                    .iter()
+                    .iter_mut()
                     .enumerate()
-                    .map(|(i, parts)| kernel::combined(i, parts))
-                    .collect();
+                    .for_each(|(i, parts)| *parts = kernel::combined(i, parts));
                 // Lanes without a sphere have no weight.
                 let weights = Lanes(std::array::from_fn(|l| weights.get(l).copied().unwrap_or(0.0)));
-                basis.circles.add(&orders, &weights, &mut sum.circles);
+                basis.circles.add(&coefficients.orders, &weights, &mut sum.circles, &mut points);
             } else {
                 large.extend(Sphere::of_lanes(&coefficients, &weights));
             }

@@ -46,16 +46,22 @@ impl Circles {
     }
 
     /// Adds spheres to the sums of S1+S2 and of S1-S2: rows of [`combined`](super::kernel::combined) orders, and a weight each.
-    pub(super) fn add(&self, orders: &[[Lanes; 4]], weights: &Lanes, sums: &mut [Sums; 2]) {
-        let mut series = Vec::new();
-        self.terms.series(orders, &mut series);
+    /// `points` is room to work in.
+    pub(super) fn add(
+        &self,
+        orders: &[[Lanes; 4]],
+        weights: &Lanes,
+        sums: &mut [Sums; 2],
+        points: &mut Vec<Point>,
+    ) {
         let place = circle_of(orders.len());
         let circle = &self.circles[place];
-        let mut points = Vec::new();
-        for (part, sum) in sums.iter_mut().enumerate() {
-            circle.unroll(series.iter().map(|row| [&row[2 * part], &row[2 * part + 1]]), &mut points);
-            circle.fourier.sum(&mut points);
-            add_intensities(&points, weights, sum.at(place));
+        for (series, sum) in sums.iter_mut().enumerate() {
+            points.clear();
+            points.resize(circle.quarters.len(), ZERO);
+            unroll(&self.terms, orders, 2 * series, &circle.quarters, points);
+            circle.fourier.sum(points);
+            add_intensities(points, weights, sum.at(place));
         }
     }
 
@@ -111,25 +117,6 @@ impl Circle {
         Self { fourier: Fourier::new(points), quarters: (0..points).map(quarter).collect() }
     }
 
-    /// Σ X_k cos kΘ_m = Σ_k X_k ½(e^{ikΘ_m} + e^{-ikΘ_m}) as the terms of a Fourier sum.
-    fn unroll<'a>(&self, series: impl Iterator<Item = [&'a Lanes; 2]>, points: &mut Vec<Point>) {
-        let count = self.quarters.len();
-        points.clear();
-        points.resize(count, ZERO);
-        for (k, ([re, im], [cosine, sine])) in series.zip(&self.quarters).enumerate() {
-            let turned = |sine: f64| -> Point {
-                [
-                    Lanes(std::array::from_fn(|l| re.0[l] * cosine - im.0[l] * sine)),
-                    Lanes(std::array::from_fn(|l| re.0[l] * sine + im.0[l] * cosine)),
-                ]
-            };
-            points[k] = turned(*sine);
-            if k > 0 {
-                points[count - k] = turned(-sine);
-            }
-        }
-    }
-
     /// C_k = 2/M Σ_m g_m cos kΘ_m (half of it for k = 0) of two real sums g at once, which ride in two lanes.
     fn cosines(&self, sums: [&[f64]; 2]) -> Vec<[f64; 2]> {
         let count = self.quarters.len();
@@ -148,6 +135,30 @@ impl Circle {
         };
         self.quarters.iter().enumerate().map(term).collect()
     }
+}
+
+/// Σ X_k cos kΘ_m = Σ_k X_k ½(e^{ikΘ_m} + e^{-ikΘ_m}) as the terms of a Fourier sum; `points` come as zeros.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn unroll(
+    terms: &CosineTerms,
+    orders: &[[Lanes; 4]],
+    part: usize,
+    quarters: &[[f64; 2]],
+    points: &mut [Point],
+) {
+    terms.series(orders, part, |k, re, im| {
+        let [cosine, sine] = quarters[k];
+        let [mut ahead, mut behind] = [ZERO; 2];
+        for l in 0..LANES {
+            let (along, across) = ([re.0[l] * cosine, im.0[l] * cosine], [im.0[l] * sine, re.0[l] * sine]);
+            (ahead[0].0[l], ahead[1].0[l]) = (along[0] - across[0], along[1] + across[1]);
+            (behind[0].0[l], behind[1].0[l]) = (along[0] + across[0], along[1] - across[1]);
+        }
+        points[k] = ahead;
+        if k > 0 {
+            points[quarters.len() - k] = behind;
+        }
+    });
 }
 
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
@@ -204,7 +215,7 @@ mod tests {
             let orders: Vec<_> =
                 coefficients.orders.iter().enumerate().map(|(i, parts)| combined(i, parts)).collect();
             let mut sums = [Sums::default(), Sums::default()];
-            circles.add(&orders, &Lanes(weights), &mut sums);
+            circles.add(&orders, &Lanes(weights), &mut sums, &mut Vec::new());
             let series = circles.cosines(&sums);
             let found = cosines.map(|mu| at_cosines(&series, mu));
             for ((found, theta), (plus, minus)) in

@@ -38,16 +38,20 @@ impl CosineTerms {
         Self { tiles }
     }
 
-    /// Σ_n t_nk times the four numbers of every order, for each k up to the last order.
-    pub(super) fn series(&self, orders: &[[Lanes; 4]], series: &mut Vec<[Lanes; 4]>) {
-        series.clear();
+    /// Calls `at` with each k up to the last order and X_k = Σ_n t_nk x_n, where x_n is the complex number at `part` and
+    /// `part` + 1 of every order.
+    #[inline(always)]
+    pub(super) fn series(
+        &self,
+        orders: &[[Lanes; 4]],
+        part: usize,
+        mut at: impl FnMut(usize, &Lanes, &Lanes),
+    ) {
         for (i, tile) in self.tiles.iter().enumerate().take(orders.len() / TILE + 1) {
-            let from = (TILE * i).max(1) - 1;
-            let parts: [[Lanes; TILE]; 4] =
-                std::array::from_fn(|part| tile_sums(tile, &orders[from..], part));
-            series.extend((0..TILE).map(|k| parts.each_ref().map(|sums| sums[k])));
+            let orders = &orders[(TILE * i).max(1) - 1..];
+            let (re, im) = (tile_sums(tile, orders, part), tile_sums(tile, orders, part + 1));
+            re.iter().zip(&im).enumerate().for_each(|(k, (re, im))| at(TILE * i + k, re, im));
         }
-        series.truncate(orders.len() + 1);
     }
 }
 
@@ -60,7 +64,7 @@ fn times_cosine(a: &[f64], k: usize) -> f64 {
     }
 }
 
-#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+#[inline(always)]
 fn tile_sums(tile: &[[f64; TILE]], orders: &[[Lanes; 4]], part: usize) -> [Lanes; TILE] {
     let mut sums = [[0.0; LANES]; TILE];
     for (terms, order) in tile.iter().zip(orders) {
