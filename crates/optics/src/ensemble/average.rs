@@ -1,6 +1,6 @@
 //! Sums over radii of everything the averages need.
 
-use super::circle::{self, Circles};
+use super::circle::{self, Circles, Room};
 use super::kernel::{self, Cosines, Sphere};
 use super::radii::Node;
 use crate::mie::{LANES, LaneCoefficients, Lanes, RefractiveIndex, SizeParameter, last_order};
@@ -30,8 +30,8 @@ pub(super) struct Average {
     extinction: f64,
     scattering: f64,
     forward: f64,
-    /// Σ|S1+S2|² and Σ|S1-S2|² of spheres that a circle holds.
-    circles: [circle::Sums; 2],
+    /// Σ(|S1|²+|S2|²) of spheres that a circle holds.
+    circles: circle::Sums,
     /// Σ|S1+S2|² at each angle and Σ|S1-S2|² at each angle's supplement, of larger spheres; empty without any.
     angles: [Vec<f64>; 2],
 }
@@ -51,10 +51,10 @@ impl Average {
             Some((SizeParameter::new(basis.wave_number * radius).ok()?, radius, weight))
         };
         let nodes: Vec<_> = block.iter().filter_map(checked).collect();
-        let (mut large, mut points) = (Vec::new(), Vec::new());
+        let (mut large, mut room) = (Vec::new(), Room::default());
         for lanes in nodes.chunks(LANES) {
             let x = std::array::from_fn(|l| lanes[l.min(lanes.len() - 1)].0);
-            let mut coefficients = LaneCoefficients::new(&x, basis.index);
+            let coefficients = LaneCoefficients::new(&x, basis.index);
             for ((_, radius, weight), q) in lanes.iter().zip(coefficients.efficiencies()) {
                 let area = weight * PI * radius * radius;
                 sum.extinction += area * q.q_ext;
@@ -63,14 +63,9 @@ impl Average {
             }
             let weights: Vec<f64> = lanes.iter().map(|node| node.2).collect();
             if coefficients.orders.len() <= circle::MOST_ORDERS {
-                coefficients
-                    .orders
-                    .iter_mut()
-                    .enumerate()
-                    .for_each(|(i, parts)| *parts = kernel::combined(i, parts));
                 // Lanes without a sphere have no weight.
                 let weights = Lanes(std::array::from_fn(|l| weights.get(l).copied().unwrap_or(0.0)));
-                basis.circles.add(&coefficients.orders, &weights, &mut sum.circles, &mut points);
+                basis.circles.add(&coefficients.orders, &weights, &mut sum.circles, &mut room);
             } else {
                 large.extend(Sphere::of_lanes(&coefficients, &weights));
             }
@@ -85,7 +80,7 @@ impl Average {
         self.extinction += other.extinction;
         self.scattering += other.scattering;
         self.forward += other.forward;
-        self.circles.iter_mut().zip(&other.circles).for_each(|(sum, part)| sum.merge(part));
+        self.circles.merge(&other.circles);
         for (sum, part) in self.angles.iter_mut().zip(&other.angles) {
             sum.resize(sum.len().max(part.len()), 0.0);
             sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
@@ -105,16 +100,15 @@ impl Average {
         self.forward / self.scattering
     }
 
-    /// P at each angle: (|S1|² + |S2|²)/2 = (|S1+S2|² + |S1-S2|²)/4.
+    /// P at each angle, from (|S1|² + |S2|²)/2 = (|S1+S2|² + |S1-S2|²)/4.
     pub(super) fn phase(&self, basis: &Basis) -> Vec<f64> {
         let factor = PI / (basis.wave_number * basis.wave_number * self.scattering);
         let series = basis.circles.cosines(&self.circles);
         let mut p = basis.cosines.map(|mu| circle::at_cosines(&series, mu));
+        p.iter_mut().for_each(|p| *p *= 2.0 * factor);
         let [plus, minus] = &self.angles;
-        p.iter_mut()
-            .zip(plus.iter().zip(minus.iter().rev()))
-            .for_each(|(p, (plus, minus))| *p += plus + minus);
-        p.iter_mut().for_each(|p| *p *= factor);
+        let pairs = p.iter_mut().zip(plus.iter().zip(minus.iter().rev()));
+        pairs.for_each(|(p, (plus, minus))| *p += factor * (plus + minus));
         p
     }
 }

@@ -2,17 +2,17 @@
 //!
 //! The amplitudes of a sphere of N orders are cosine series of N terms ([`CosineTerms`]), so |S|² has 2N of them, whatever
 //! number of angles P is wanted at: M > 2N values hold it. They are taken round the circle, a quarter step off
-//! (Θ_m = 2π(m+¼)/M, of which no two are each other's mirror images), by one Fourier sum each for S1+S2 and S1-S2. The
+//! (Θ_m = 2π(m+¼)/M, of which no two are each other's mirror images), by one Fourier sum each for S1 and S2. The
 //! weighted |S|² of spheres of similar size are added there; a sum turns into its series once, however many they are.
 //!
 //! The error is a rounding error of the forward peak: relative to P at its smallest, 1e-16 times the span of P.
 
-use super::cosines::CosineTerms;
+use super::cosines::{CosineTerms, Term};
 use super::fourier::{Fourier, Point, place};
 use crate::mie::{LANES, Lanes};
 use std::f64::consts::PI;
 
-/// Most orders of a sphere: the table of their series takes 16 MiB, and P spans 1e9.
+/// Most orders of a sphere: the table of their series takes 8 MiB, and P spans 1e9.
 pub(super) const MOST_ORDERS: usize = 2047;
 
 const ZERO: Point = [Lanes([0.0; LANES]); 2];
@@ -30,6 +30,13 @@ struct Circle {
     quarters: Vec<[f64; 2]>,
 }
 
+/// Room to work in, kept from one group of spheres to the next.
+#[derive(Default)]
+pub(super) struct Room {
+    series: Vec<Term>,
+    points: Vec<Point>,
+}
+
 /// Σ weight·|S|² at the points of every circle, in the order of the Fourier sums; empty where no sphere was.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sums(Vec<Vec<f64>>);
@@ -45,41 +52,27 @@ impl Circles {
         }
     }
 
-    /// Adds spheres to the sums of S1+S2 and of S1-S2: rows of [`combined`](super::kernel::combined) orders, and a weight each.
-    /// `points` is room to work in.
-    pub(super) fn add(
-        &self,
-        orders: &[[Lanes; 4]],
-        weights: &Lanes,
-        sums: &mut [Sums; 2],
-        points: &mut Vec<Point>,
-    ) {
+    /// Adds spheres of the coefficients `orders` (Re a, Im a, Re b, Im b), a weight each.
+    pub(super) fn add(&self, orders: &[Term], weights: &Lanes, sums: &mut Sums, room: &mut Room) {
         let place = circle_of(orders.len());
         let circle = &self.circles[place];
-        for (series, sum) in sums.iter_mut().enumerate() {
-            points.clear();
-            points.resize(circle.quarters.len(), ZERO);
-            unroll(&self.terms, orders, 2 * series, &circle.quarters, points);
-            circle.fourier.sum(points);
-            add_intensities(points, weights, sum.at(place));
+        let sum = sums.at(place);
+        amplitude_series(&self.terms, orders, &mut room.series);
+        for amplitude in 0..2 {
+            room.points.clear();
+            room.points.resize(circle.quarters.len(), ZERO);
+            unroll(&room.series[..orders.len() + 2], amplitude, &circle.quarters, &mut room.points);
+            circle.fourier.sum(&mut room.points);
+            add_intensities(&room.points, weights, sum);
         }
     }
 
-    /// C_k of Σ_k C_k cos kΘ, the two sums together: |S1-S2|² is that at the supplement of Θ.
-    pub(super) fn cosines(&self, sums: &[Sums; 2]) -> Vec<f64> {
+    /// C_k of Σ weight·(|S1|²+|S2|²) = Σ_k C_k cos kΘ.
+    pub(super) fn cosines(&self, sums: &Sums) -> Vec<f64> {
         let mut total = Vec::new();
-        for (i, circle) in self.circles.iter().enumerate() {
-            let Some([plus, minus]) = sums[0].0.get(i).zip(sums[1].0.get(i)).map(|(a, b)| [a, b]) else {
-                break;
-            };
-            if plus.is_empty() {
-                continue;
-            }
-            let series = circle.cosines([plus, minus]);
-            total.resize(series.len(), 0.0);
-            for (k, (total, [plus, minus])) in total.iter_mut().zip(series).enumerate() {
-                *total += if k % 2 == 0 { plus + minus } else { plus - minus };
-            }
+        for (circle, sum) in self.circles.iter().zip(&sums.0).filter(|(_, sum)| !sum.is_empty()) {
+            total.resize(sum.len(), 0.0);
+            total.iter_mut().zip(circle.cosines(sum)).for_each(|(total, c)| *total += c);
         }
         total.truncate(2 * self.last + 1);
         total
@@ -117,48 +110,50 @@ impl Circle {
         Self { fourier: Fourier::new(points), quarters: (0..points).map(quarter).collect() }
     }
 
-    /// C_k = 2/M Σ_m g_m cos kΘ_m (half of it for k = 0) of two real sums g at once, which ride in two lanes.
-    fn cosines(&self, sums: [&[f64]; 2]) -> Vec<[f64; 2]> {
+    /// C_k = 2/M Σ_m g_m cos kΘ_m (half of it for k = 0) of a real sum g, which rides in one lane.
+    fn cosines(&self, sum: &[f64]) -> impl Iterator<Item = f64> {
         let count = self.quarters.len();
         let mut points = vec![ZERO; count];
         for (m, point) in points.iter_mut().enumerate() {
-            for (l, sum) in sums.iter().enumerate() {
-                point[0].0[l] = sum[place(m, count)];
-            }
+            point[0].0[0] = sum[place(m, count)];
         }
         self.fourier.sum(&mut points);
-        let share = 1.0 / count as f64;
-        let term = |(k, [cosine, sine]): (usize, &[f64; 2])| {
+        self.quarters.iter().enumerate().map(move |(k, [cosine, sine])| {
             let [re, im] = &points[place(k, count)];
-            let factor = if k == 0 { share } else { 4.0 * share };
-            std::array::from_fn(|l| factor * (re.0[l] * cosine - im.0[l] * sine))
-        };
-        self.quarters.iter().enumerate().map(term).collect()
+            let factor = if k == 0 { 1.0 } else { 4.0 } / count as f64;
+            factor * (re.0[0] * cosine - im.0[0] * sine)
+        })
     }
 }
 
-/// Σ X_k cos kΘ_m = Σ_k X_k ½(e^{ikΘ_m} + e^{-ikΘ_m}) as the terms of a Fourier sum; `points` come as zeros.
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
-fn unroll(
-    terms: &CosineTerms,
-    orders: &[[Lanes; 4]],
-    part: usize,
-    quarters: &[[f64; 2]],
-    points: &mut [Point],
-) {
-    terms.series(orders, part, |k, re, im| {
+fn amplitude_series(terms: &CosineTerms, orders: &[Term], series: &mut Vec<Term>) {
+    terms.series(orders, series);
+}
+
+/// S1 (`amplitude` 0) or S2 (1) as the terms of a Fourier sum, X_k cos kΘ_m = X_k ½(e^{ikΘ_m} + e^{-ikΘ_m}); `points` come as
+/// zeros.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn unroll(series: &[Term], amplitude: usize, quarters: &[[f64; 2]], points: &mut [Point]) {
+    let (own, other) = (2 * amplitude, 2 - 2 * amplitude);
+    for k in 0..series.len() - 1 {
         let [cosine, sine] = quarters[k];
+        let (rate, twice) = (0.5 * k as f64, if k == 1 { 2.0 } else { 1.0 });
+        let (here, below, above) = (&series[k], &series[k.saturating_sub(1)], &series[k + 1]);
         let [mut ahead, mut behind] = [ZERO; 2];
         for l in 0..LANES {
-            let (along, across) = ([re.0[l] * cosine, im.0[l] * cosine], [im.0[l] * sine, re.0[l] * sine]);
-            (ahead[0].0[l], ahead[1].0[l]) = (along[0] - across[0], along[1] + across[1]);
-            (behind[0].0[l], behind[1].0[l]) = (along[0] + across[0], along[1] - across[1]);
+            let x = |part: usize| {
+                here[own + part].0[l] + rate * (twice * below[other + part].0[l] - above[other + part].0[l])
+            };
+            let (re, im) = (x(0), x(1));
+            (ahead[0].0[l], ahead[1].0[l]) = (re * cosine - im * sine, im * cosine + re * sine);
+            (behind[0].0[l], behind[1].0[l]) = (re * cosine + im * sine, im * cosine - re * sine);
         }
         points[k] = ahead;
         if k > 0 {
             points[quarters.len() - k] = behind;
         }
-    });
+    }
 }
 
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
@@ -196,7 +191,7 @@ pub(super) fn at_cosines(series: &[f64], mu: &Lanes) -> Lanes {
 
 #[cfg(test)]
 mod tests {
-    use super::super::kernel::{Cosines, Sphere, combined, intensities};
+    use super::super::kernel::{Cosines, Sphere, intensities};
     use super::*;
     use crate::mie::{LaneCoefficients, RefractiveIndex, SizeParameter};
 
@@ -212,16 +207,14 @@ mod tests {
             let coefficients = LaneCoefficients::new(&x, index);
             let weights: [f64; LANES] = std::array::from_fn(|l| 1.0 + l as f64);
             let [plus, minus] = intensities(&Sphere::of_lanes(&coefficients, &weights), &cosines);
-            let orders: Vec<_> =
-                coefficients.orders.iter().enumerate().map(|(i, parts)| combined(i, parts)).collect();
-            let mut sums = [Sums::default(), Sums::default()];
-            circles.add(&orders, &Lanes(weights), &mut sums, &mut Vec::new());
+            let mut sums = Sums::default();
+            circles.add(&coefficients.orders, &Lanes(weights), &mut sums, &mut Room::default());
             let series = circles.cosines(&sums);
             let found = cosines.map(|mu| at_cosines(&series, mu));
             for ((found, theta), (plus, minus)) in
                 found.iter().zip(&angles).zip(plus.iter().zip(minus.iter().rev()))
             {
-                let off = found / (plus + minus) - 1.0;
+                let off = 2.0 * found / (plus + minus) - 1.0;
                 assert!(off.abs() < bound, "x = {largest}, {theta} degrees: {off:e}");
             }
         }

@@ -38,7 +38,7 @@ impl Sphere {
 }
 
 /// c_n(a_n+b_n) and (-1)^{n-1}c_n(a_n-b_n) with n = i + 1.
-pub(super) fn combined(i: usize, [a_re, a_im, b_re, b_im]: &[Lanes; 4]) -> [Lanes; 4] {
+fn combined(i: usize, [a_re, a_im, b_re, b_im]: &[Lanes; 4]) -> [Lanes; 4] {
     let n = (i + 1) as f64;
     let c = (2.0 * n + 1.0) / (n * (n + 1.0));
     let sign = if i.is_multiple_of(2) { c } else { -c };
