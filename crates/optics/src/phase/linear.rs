@@ -33,28 +33,56 @@ pub(super) fn moments(table: &PhaseTable, count: usize) -> Vec<f64> {
 
 /// What Θ < `end` contributes to the moments of `table`.
 pub(super) fn below(table: &PhaseTable, end: f64, count: usize) -> Vec<f64> {
-    let [mut front, mut back] = [Vec::new(), Vec::new()];
-    let (theta, p) = (table.theta_rad(), table.values());
-    for (theta, p) in theta.array_windows::<2>().zip(p.array_windows::<2>()) {
-        let [a, b] = theta.map(|theta| theta.min(end));
-        if a == b {
-            continue;
-        }
-        let slope = (p[1] - p[0]) / (theta[1] - theta[0]);
-        let p_end = if b < theta[1] { p[0] + slope * (b - a) } else { p[1] };
-        if a < 0.5 * PI {
-            add_piece(&mut front, [(a, p[0]), (b, p_end)], slope);
-        } else {
-            add_piece(&mut back, [(PI - b, p_end), (PI - a, p[0])], -slope);
-        }
+    let mut moments = Moments::below(table, end);
+    moments.first(count).to_vec()
+}
+
+/// Moments that can be continued.
+pub(super) struct Moments {
+    /// As many as were computed.
+    moments: Vec<f64>,
+    front: Vec<State>,
+    back: Vec<State>,
+}
+
+impl Moments {
+    pub(super) fn new(table: &PhaseTable) -> Self {
+        Self::below(table, f64::INFINITY)
     }
-    let pairs = sums(&front, count).into_iter().zip(sums(&back, count)).enumerate();
-    let mut moments: Vec<f64> =
-        pairs.map(|(l, (front, back))| if l % 2 == 0 { front + back } else { front - back }).collect();
-    if let Some(norm) = moments.first_mut() {
-        *norm = table.cumulative_at(end.min(PI));
+
+    fn below(table: &PhaseTable, end: f64) -> Self {
+        let [mut front, mut back] = [Vec::new(), Vec::new()];
+        let (theta, p) = (table.theta_rad(), table.values());
+        for (theta, p) in theta.array_windows::<2>().zip(p.array_windows::<2>()) {
+            let [a, b] = theta.map(|theta| theta.min(end));
+            if a == b {
+                continue;
+            }
+            let slope = (p[1] - p[0]) / (theta[1] - theta[0]);
+            let p_end = if b < theta[1] { p[0] + slope * (b - a) } else { p[1] };
+            if a < 0.5 * PI {
+                add_piece(&mut front, [(a, p[0]), (b, p_end)], slope);
+            } else {
+                add_piece(&mut back, [(PI - b, p_end), (PI - a, p[0])], -slope);
+            }
+        }
+        let states = |nodes: &[Node]| nodes.chunks(GROUPS * LANES).map(State::new).collect();
+        let moments = vec![table.cumulative_at(end.min(PI))];
+        Self { moments, front: states(&front), back: states(&back) }
     }
-    moments
+
+    /// χ_0 … χ_{count-1}; those computed before are not computed again.
+    pub(super) fn first(&mut self, count: usize) -> &[f64] {
+        if count > self.moments.len() {
+            let from = self.moments.len();
+            // Orders come in pairs.
+            let new = (count - from).next_multiple_of(2);
+            let [front, back] = [&mut self.front, &mut self.back].map(|states| sums(states, from, new));
+            let pairs = front.into_iter().zip(back).zip(from..);
+            self.moments.extend(pairs.map(|((a, b), l)| if l % 2 == 0 { a + b } else { a - b }));
+        }
+        &self.moments[..count]
+    }
 }
 
 /// Both ends (Θ, P) of a piece of slope `slope`; a node that two pieces share stands once.
@@ -72,21 +100,21 @@ fn add_piece(nodes: &mut Vec<Node>, [low, high]: [(f64, f64); 2], slope: f64) {
     }
 }
 
-/// ½Σ over the nodes, for every l; 0 for l = 0.
-fn sums(nodes: &[Node], count: usize) -> Vec<f64> {
-    let group = |nodes: &[Node]| {
+/// ½Σ over the nodes, for `count` orders from `from` on.
+fn sums(states: &mut [State], from: usize, count: usize) -> Vec<f64> {
+    let group = |state: &mut State| {
         let mut sums = vec![0.0; count];
-        add_nodes(&mut State::new(nodes), &mut sums);
+        add_nodes(state, from, &mut sums);
         sums
     };
-    let groups: Vec<Vec<f64>> = nodes.par_chunks(GROUPS * LANES).map(group).collect();
+    let groups: Vec<Vec<f64>> = states.par_iter_mut().map(group).collect();
     groups.iter().fold(vec![0.0; count], |mut sum, group| {
         sum.iter_mut().zip(group).for_each(|(total, part)| *total += part);
         sum
     })
 }
 
-/// The functions at the nodes: f_l, f_{l-1}, F_l, F_{l-1}.
+/// The functions at the nodes: f_l and F_l (`now`, `area`), and those of l-1, for the next l.
 struct State {
     mu: [[f64; LANES]; GROUPS],
     sine: [[f64; LANES]; GROUPS],
@@ -129,24 +157,53 @@ fn sine_squared_integral(x: f64) -> f64 {
     0.5 * x * y2 * terms
 }
 
-#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
-fn add_nodes(state: &mut State, sums: &mut [f64]) {
-    for (l, sum) in sums.iter_mut().enumerate().skip(1) {
+/// What the recurrences from l to l+1 multiply by.
+struct Factors {
+    up: f64,
+    down: f64,
+    kept: f64,
+    gained: f64,
+    /// ½/(l(l+1)).
+    share: f64,
+}
+
+impl Factors {
+    fn new(l: usize) -> Self {
         let l = l as f64;
-        let (up, down) = ((2.0 * l + 1.0) / l, (l + 1.0) / l);
-        let (kept, gained) = ((l * l - 1.0) / (l * (l + 2.0)), (2.0 * l + 1.0) / (l * (l + 2.0)));
-        let mut totals = [0.0; LANES];
+        Self {
+            up: (2.0 * l + 1.0) / l,
+            down: (l + 1.0) / l,
+            kept: (l * l - 1.0) / (l * (l + 2.0)),
+            gained: (2.0 * l + 1.0) / (l * (l + 2.0)),
+            share: 0.5 / (l * (l + 1.0)),
+        }
+    }
+}
+
+/// The orders from `l` on, two by two, so that the functions of one take the places of those before it.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn add_nodes(state: &mut State, mut l: usize, sums: &mut [f64]) {
+    for pair in sums.as_chunks_mut::<2>().0 {
+        let (first, second) = (Factors::new(l), Factors::new(l + 1));
+        let mut totals = [[0.0; LANES]; 2];
         for g in 0..GROUPS {
             let (mu, sine, jump, bend) = (&state.mu[g], &state.sine[g], &state.jump[g], &state.bend[g]);
-            let (now, area) = (state.now[g], state.area[g]);
+            let (mut now, mut area) = (state.now[g], state.area[g]);
+            let (mut before, mut area_before) = (state.before[g], state.area_before[g]);
             for i in 0..LANES {
-                totals[i] += jump[i] * now[i] + bend[i] * area[i];
-                state.now[g][i] = up * mu[i] * now[i] - down * state.before[g][i];
-                state.area[g][i] = kept * state.area_before[g][i] + gained * sine[i] * now[i];
+                totals[0][i] += jump[i] * now[i] + bend[i] * area[i];
+                before[i] = first.up * mu[i] * now[i] - first.down * before[i];
+                area_before[i] = first.kept * area_before[i] + first.gained * sine[i] * now[i];
+                totals[1][i] += jump[i] * before[i] + bend[i] * area_before[i];
+                now[i] = second.up * mu[i] * before[i] - second.down * now[i];
+                area[i] = second.kept * area[i] + second.gained * sine[i] * before[i];
             }
-            (state.before[g], state.area_before[g]) = (now, area);
+            (state.now[g], state.area[g]) = (now, area);
+            (state.before[g], state.area_before[g]) = (before, area_before);
         }
-        *sum = 0.5 / (l * (l + 1.0)) * totals.iter().fold(0.0, |sum, total| sum + total);
+        *pair = [(first, totals[0]), (second, totals[1])]
+            .map(|(factors, totals)| factors.share * totals.iter().fold(0.0, |sum, total| sum + total));
+        l += 2;
     }
 }
 
