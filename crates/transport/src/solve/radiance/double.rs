@@ -33,7 +33,7 @@ const WIDEST_SMOOTH: f64 = PI / 4.0;
 const PEAK: f64 = 0.2;
 
 /// Width of the panels at the horizon.
-const HORIZON: f64 = 1e-3;
+const HORIZON: f64 = 1e-2;
 
 /// Panels at the edge of a hole in P, in units of θ_f.
 const EDGE: f64 = 0.05;

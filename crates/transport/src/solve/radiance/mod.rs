@@ -19,6 +19,7 @@ mod depth;
 mod double;
 mod eigen;
 mod elementary;
+mod interpolant;
 mod legendre;
 mod mode;
 mod narrow;
