@@ -1,4 +1,5 @@
-//! The intensities of many spheres at many angles, as one blocked matrix product.
+//! The intensities of many spheres at many angles, as one blocked matrix product: for spheres too large for
+//! [`circle`](super::circle).
 //!
 //! With p_n = π_n + τ_n and c_n = (2n+1)/(n(n+1)), S1+S2 = Σ c_n(a_n+b_n)p_n(μ), and because
 //! π_n - τ_n at μ is (-1)^{n-1}p_n(-μ), S1-S2 = Σ (-1)^{n-1}c_n(a_n-b_n)p_n(-μ). On a grid symmetric about 90° one
@@ -64,10 +65,17 @@ impl Cosines {
         };
         Self { tiles: all.chunks(LANES).map(tile).collect(), count: all.len() }
     }
+
+    /// `f` of every cosine.
+    pub(super) fn map(&self, f: impl Fn(&Lanes) -> Lanes) -> Vec<f64> {
+        let mut values: Vec<f64> = self.tiles.iter().flat_map(|mu| f(mu).0).collect();
+        values.truncate(self.count);
+        values
+    }
 }
 
 /// Σ weight·|S1+S2|² at each angle, and Σ weight·|S1-S2|² at each angle's supplement.
-pub(super) fn intensities(spheres: &[Sphere], cosines: &Cosines) -> (Vec<f64>, Vec<f64>) {
+pub(super) fn intensities(spheres: &[Sphere], cosines: &Cosines) -> [Vec<f64>; 2] {
     let orders = spheres.iter().map(|sphere| sphere.orders.len()).max().unwrap_or(0);
     let mut rows = vec![Lanes([0.0; LANES]); orders];
     let (mut plus, mut minus) = (Vec::new(), Vec::new());
@@ -82,7 +90,7 @@ pub(super) fn intensities(spheres: &[Sphere], cosines: &Cosines) -> (Vec<f64>, V
     }
     plus.truncate(cosines.count);
     minus.truncate(cosines.count);
-    (plus, minus)
+    [plus, minus]
 }
 
 /// `rows[n-1]` = π_n + τ_n at every angle of a tile.
@@ -146,7 +154,7 @@ mod tests {
         let spheres = Sphere::of_lanes(&LaneCoefficients::new(&sizes, index), &[0.2, 0.3]);
         let angles: Vec<f64> = (0..=36).map(|i| 5.0 * f64::from(i)).collect();
         let cosines = Cosines::new(&angles);
-        let (plus, minus) = intensities(&spheres, &cosines);
+        let [plus, minus] = intensities(&spheres, &cosines);
         for (i, mu) in cosines.tiles.iter().flat_map(|tile| tile.0).take(angles.len()).enumerate() {
             let [first, second] = [&spheres[0], &spheres[1]].map(|sphere| plainly(sphere, mu));
             assert_eq!([plus[i], minus[i]], [first[0] + second[0], first[1] + second[1]], "{}", angles[i]);

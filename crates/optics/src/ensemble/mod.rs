@@ -4,9 +4,15 @@
 //! The radius integral is a trapezoid rule, halved until two refinements agree to the [`QuadratureTolerance`]; what
 //! they differ by is the reached error. Resonances narrower than the step make that difference fall only like
 //! the square root of the step.
+//!
+//! Spheres up to 2047 orders are summed as cosine series (`circle.rs`), whose cost does not depend on the number of angles;
+//! larger ones angle by angle (`kernel.rs`).
 
 mod angles;
 mod average;
+mod circle;
+mod cosines;
+mod fourier;
 mod kernel;
 mod radii;
 mod tolerance;
@@ -19,7 +25,7 @@ use crate::OpticsError;
 use crate::droplets::SizeDistribution;
 use crate::mie::{RefractiveIndex, SizeParameter};
 use crate::phase::{Norm, PhaseTable};
-use average::Average;
+use average::{Average, Basis};
 use radii::Radii;
 use std::f64::consts::PI;
 use stratiform_artifact::{Extinction, ReachedError};
@@ -95,17 +101,18 @@ pub fn refine(
         SizeParameter::new(wave_number * radius)?;
     }
     let angles = angle_grid(spec.droplets, wave_number, spec.theta_f_deg)?;
-    let mut average = Average::new(&angles);
-    average.add(&radii.first(), wave_number, index, &angles);
-    let mut last = Refinement::new(spec, average, &radii, &angles)?;
+    let basis = Basis::new(wave_number, index, &angles, radii.range()[1]);
+    let mut average = Average::default();
+    average.add(&radii.first(), &basis);
+    let mut last = Refinement::new(spec, average, &radii, &basis, &angles)?;
     if spec.droplets.single_radius().is_some() {
         return Ok(last.finish(spec, ReachedError { radii: 1, ..tolerance::ZERO }, radii.step()));
     }
     let mut reached = tolerance::ZERO;
     loop {
         let mut average = last.average.clone();
-        average.add(&radii.halve(), wave_number, index, &angles);
-        let next = Refinement::new(spec, average, &radii, &angles)?;
+        average.add(&radii.halve(), &basis);
+        let next = Refinement::new(spec, average, &radii, &basis, &angles)?;
         reached = next.summary.error(&last.summary, &reached, radii.count());
         progress(&reached, &next.phase);
         last = next;
@@ -124,9 +131,10 @@ impl Refinement {
         spec: &EnsembleSpec<'_>,
         average: Average,
         radii: &Radii<'_>,
+        basis: &Basis,
         angles: &[f64],
     ) -> Result<Self, OpticsError> {
-        let p = average.phase(2.0 * PI / spec.wavelength_um);
+        let p = average.phase(basis);
         let coarse = radii.count() < Radii::FEWEST;
         let phase = PhaseTable::new(angles.to_vec(), p, if coarse { Norm::Any } else { Norm::Strict })?;
         let summary = tolerance::Summary::new(&phase, average.asymmetry(), spec.theta_f_deg)?;

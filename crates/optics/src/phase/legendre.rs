@@ -1,10 +1,9 @@
-//! Legendre moments χ_l = ½∫P·P_l sinΘ dΘ of a table or of the peak of any function, and sums Σ(2l+1)χ_l P_l.
+//! Legendre moments χ_l = ½∫P·P_l sinΘ dΘ of the peak of any function, and sums Σ(2l+1)χ_l P_l.
 //!
-//! Each cell, or panel of a peak, gets enough Gauss–Legendre points for the oscillation of the highest P_l, whose phase is lΘ; the
+//! Each panel of a peak gets enough Gauss–Legendre points for the oscillation of the highest P_l, whose phase is lΘ; the
 //! quadrature error is then below 1e-12. The recurrence (l+1)P_{l+1} = (2l+1)μP_l - lP_{l-1} runs over lanes of
 //! points. Blocks of points are summed in their order: the bits do not depend on the number of threads.
 
-use super::PhaseTable;
 use super::gauss::gauss_legendre;
 use rayon::prelude::*;
 
@@ -13,20 +12,6 @@ const LANES: usize = 32;
 
 /// Such runs of points that share one pass of the recurrence, side by side.
 const RUNS: usize = 8;
-
-/// χ_0 … χ_{count-1} of `table`.
-pub(super) fn moments(table: &PhaseTable, count: usize) -> Vec<f64> {
-    below(table, f64::INFINITY, count)
-}
-
-/// What Θ < `end` contributes to the moments of `table`.
-pub(super) fn below(table: &PhaseTable, end: f64, count: usize) -> Vec<f64> {
-    let mut rules = Rules::new(count);
-    for (cell, width) in table.cells().take_while(|(cell, _)| cell.start < end) {
-        rules.add(cell.start, width.min(end - cell.start), 0.0, |t| cell.value + cell.slope * t);
-    }
-    rules.moments()
-}
 
 /// What Θ < `end` contributes to the moments of a smooth P(v): panels halve towards the forward direction, 2⁻²⁴ of
 /// `end` being the last.

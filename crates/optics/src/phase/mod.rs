@@ -10,6 +10,7 @@ mod halo;
 mod henyey_greenstein;
 mod isotropic;
 mod legendre;
+mod linear;
 mod modified;
 mod peak;
 mod rayleigh;

@@ -4,8 +4,9 @@
 //! way round); P_F = P/P_f below θ_f and 0 from there on. The convolution of P with itself on the sphere has the
 //! moments χ_l².
 
+use super::linear::Moments;
 use super::table::Norm;
-use super::{PhaseFunction, PhaseTable, legendre};
+use super::{PhaseTable, legendre};
 use crate::OpticsError;
 use stratiform_quantities::Range;
 
@@ -75,14 +76,15 @@ impl PhaseTable {
     /// The moments whose squares matter: the rest of Σ(2l+1)χ_l² is below 1e-4 of the sum.
     pub(super) fn moments_to_square(&self) -> Vec<f64> {
         const MOST: usize = 1 << 13;
+        let mut all = Moments::new(self);
         let mut count = 256;
         loop {
-            let moments = self.moments(count);
+            let moments = all.first(count);
             let term = |l: usize| (2 * l + 1) as f64 * moments[l] * moments[l];
             let total = (0..count).fold(0.0, |sum, l| sum + term(l));
             let tail = (count - count / 4..count).fold(0.0, |sum, l| sum + term(l));
             if tail < 1e-4 * total || count >= MOST {
-                return moments;
+                return moments.to_vec();
             }
             count *= 2;
         }

@@ -6,7 +6,7 @@
 
 use super::cell::Cell;
 use super::guide::Guide;
-use super::{PhaseFunction, angle, angles::angles, legendre, versine};
+use super::{PhaseFunction, angle, angles::angles, linear, versine};
 use crate::OpticsError;
 use stratiform_quantities::Range;
 
@@ -195,10 +195,10 @@ impl PhaseFunction for PhaseTable {
     }
 
     fn moments(&self, count: usize) -> Vec<f64> {
-        legendre::moments(self, count)
+        linear::moments(self, count)
     }
 
     fn peak_moments(&self, edge: f64, count: usize) -> Vec<f64> {
-        legendre::below(self, angle(edge), count)
+        linear::below(self, angle(edge), count)
     }
 }
