@@ -245,6 +245,26 @@ fn many_geometries_at_once_are_the_same_as_one() {
     assert!(all.streams() >= one.streams());
 }
 
+/// What suns share changes no bit.
+#[test]
+fn suns_with_views_of_their_own_are_the_same_as_each_alone() {
+    let solver = solver(medium(cloud(), 1.0), 1e-2);
+    let tau = [0.5, 16.0];
+    let suns =
+        [(1.0, vec![view(Top, 0.4, 0.0)]), (0.3, vec![view(Top, 0.3, 180.0), view(Bottom, 0.8, 90.0)])];
+    let all = solver.radiance_of_suns(&tau, &suns).unwrap();
+    for ((mu0, views), found) in suns.iter().zip(&all) {
+        let alone = solver.radiance(&tau, &[*mu0], views).unwrap();
+        for (t, v) in (0..tau.len()).flat_map(|t| (0..views.len()).map(move |v| (t, v))) {
+            for order in RadianceOrder::ALL {
+                assert_eq!(found.estimate(t, 0, v, order), alone.estimate(t, 0, v, order), "{mu0} {t} {v}");
+            }
+        }
+    }
+    assert!(solver.radiance_of_suns(&tau, &[]).is_err());
+    assert!(solver.radiance_of_suns(&tau, &[(1.0, Vec::new())]).is_err());
+}
+
 #[test]
 fn bad_input_is_refused() {
     let medium = medium(isotropic(), 1.0);

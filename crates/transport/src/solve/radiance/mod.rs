@@ -8,7 +8,7 @@
 //! further orders of the moments left out (`narrow`). With order 1 alone this is TMS of Nakajima & Tanaka (1988). Order 2
 //! brings in what one narrow event does to glory and aureole, `narrow` what more of them do.
 //!
-//! Streams are added until results agree (`solver`); the error reported is what convergence like 1/n, which the horizon
+//! Streams are added until results agree, place by place (`solver`, `climb`); the error reported is what convergence like 1/n, which the horizon
 //! and the aureole have at worst, would leave after the last change, and a half more. Each azimuthal
 //! mode is reduced to a symmetric eigenproblem (`eigen`). Units: τ of the full medium; φ in degrees. Domain: τ from
 //! 0 to 1e6; μ0 and μ from 0 (a limit) to 1, not both 0; ω from 0 to 1. In the modified medium orders count wide
