@@ -9,6 +9,7 @@
 use std::sync::OnceLock;
 use stratiform_artifact::{AngularBooksRow, AngularForm};
 use stratiform_cli::pipeline::angular_books;
+use stratiform_cli::pipeline::cut::Cut;
 use stratiform_quantities::{Order, Side};
 use stratiform_tests::{accepted_cloud, paper_config};
 
@@ -19,7 +20,8 @@ fn books() -> &'static [AngularBooksRow] {
     BOOKS.get_or_init(|| {
         let config = paper_config();
         let (parameters, cloud) = accepted_cloud(&config);
-        angular_books::rows(&config, &cloud, &parameters, &THICKNESS_M).unwrap()
+        let cut = Cut::new(&cloud, config.optics.theta_f_deg).unwrap();
+        angular_books::rows(&config, &cloud, &cut, &parameters, &THICKNESS_M).unwrap()
     })
 }
 

@@ -18,7 +18,7 @@ pub struct ConvergenceRow {
     pub photons: u64,
     /// Wall time in seconds.
     pub seconds: f64,
-    /// |reflectance - truth|, the truth being the solver's with 128 streams per hemisphere.
+    /// |reflectance - truth|, the truth being the solver's with 96 streams per hemisphere.
     pub error: f64,
     /// Standard error claimed by the run itself; of the solver, the change from the row before.
     pub std_error: f64,

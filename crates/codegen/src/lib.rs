@@ -85,10 +85,9 @@ pub fn generate(inputs: &Inputs, targets: &[Target]) -> Result<Files, CodegenErr
     let halo = |table| halo_library::library(inputs, table, needs.clone());
     let halo = inputs.halo.as_ref().map(halo).transpose()?;
     let libraries: Vec<_> = needs.iter().copied().chain([&radiance]).chain(&shade).chain(&halo).collect();
-    for (library, target) in libraries.iter().flat_map(|library| targets.iter().map(move |t| (library, *t))) {
-        if let (Some(text), Some(extension)) = (language::translate(library, target)?, target.extension()) {
-            files.push((format!("{}.{extension}", library.name), text.into_bytes()));
-        }
+    for library in &libraries {
+        let texts = language::translate(library, targets)?.into_iter();
+        files.extend(texts.map(|(name, text)| (name, text.into_bytes())));
     }
     let kernel = self_test::kernel(inputs);
     if targets.contains(&Target::Spirv) {

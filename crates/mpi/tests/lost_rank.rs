@@ -12,8 +12,9 @@ use std::time::{Duration, Instant};
 use stratiform_cli::trace::RunParts;
 use tempfile::tempdir;
 
-/// A few seconds of work, so that there is a middle in which to kill.
-const TRACE: &str = "trace --phase hg:0.85 --tau 1,40 --mu0 0.7 --photons 800000 --estimator plain --json";
+/// Ten seconds of one processor, many times what passes before three checkpoints: there is a middle in which to kill.
+const TRACE: &str = "trace --phase hg:0.85 --tau 1,40 --mu0 0.7 --photons 3000000 --estimator plain --json";
+const PHOTONS: u64 = 3_000_000;
 const RANKS: usize = 3;
 
 /// The processes that `parent` started.
@@ -36,16 +37,17 @@ fn wait_until(job: &mut Child, what: &str, reached: impl Fn() -> bool) {
     }
 }
 
-fn photons(dir: &Path, rank: usize) -> u64 {
-    let file = dir.join(format!("run.ckpt.rank-{rank}-of-{RANKS}"));
-    RunParts::read(&file).map_or(0, |parts| parts.photons())
+/// Photons in the checkpoints of all ranks.
+fn photons(dir: &Path) -> u64 {
+    let file = |rank| dir.join(format!("run.ckpt.rank-{rank}-of-{RANKS}"));
+    (1..=RANKS).map(|rank| RunParts::read(&file(rank)).map_or(0, |parts| parts.photons())).sum()
 }
 
-/// Starts the job, ends one rank by `name` when `rank` has stored more than before, and sees the job end without output.
+/// Starts the job, ends `rank` by `name` when more is stored than before, and sees the job end without output.
 fn lose(dir: &Path, kept: &str, rank: usize, name: &str) {
-    let before = photons(dir, rank);
+    let before = photons(dir);
     let mut job = start(dir, RANKS, kept);
-    wait_until(&mut job, "a checkpoint", || photons(dir, rank) > before);
+    wait_until(&mut job, "a checkpoint", || photons(dir) > before);
     let processes = children(job.id());
     assert_eq!(processes.len(), RANKS, "the ranks are mpirun's children");
     signal(name, &processes[rank - 1]);
@@ -61,8 +63,8 @@ fn a_job_that_lost_ranks_goes_on_to_the_same_bytes() {
     for (rank, name) in [(2, "-KILL"), (1, "-KILL"), (3, "-TERM")] {
         lose(dir.path(), &kept, rank, name);
     }
-    let done: u64 = (1..=RANKS).map(|rank| photons(dir.path(), rank)).sum();
-    assert!((1..800_000).contains(&done), "{done} photons were kept of a job in its middle");
+    let done = photons(dir.path());
+    assert!((1..PHOTONS).contains(&done), "{done} photons were kept of a job in its middle");
     assert_eq!(stdout(dir.path(), RANKS, &kept), alone(TRACE));
 }
 
@@ -70,7 +72,7 @@ fn a_job_that_lost_ranks_goes_on_to_the_same_bytes() {
 #[test]
 fn a_job_without_checkpoints_ends_too() {
     let dir = tempdir().unwrap();
-    let mut job = start(dir.path(), RANKS, &TRACE.replace("800000", "1e9"));
+    let mut job = start(dir.path(), RANKS, &TRACE.replace("3000000", "1e9"));
     let id = job.id();
     wait_until(&mut job, "the ranks", || children(id).len() == RANKS);
     std::thread::sleep(Duration::from_millis(500));

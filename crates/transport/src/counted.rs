@@ -221,7 +221,7 @@ mod tests {
     use stratiform_quantities::{Incidence, Order};
 
     /// 10¹² photons, reflected by all slabs after a million scatterings each or passed by all after three million: no counter is
-    /// full, no photon is lost.
+    /// full, no photon is lost. A sum that is full is refused.
     #[test]
     fn a_million_million_photons_overflow_nothing() {
         let photons = 1_000_000_000_000;
@@ -247,6 +247,8 @@ mod tests {
             assert_eq!(traced.hits(slab, Quantity::Transmittance(Order::Total)), photons / 2);
             assert!((traced.mean_scatterings(slab).value - 2e6).abs() < 1.0);
         }
+        counted.batches[7].passed[1] = u64::MAX;
+        assert_eq!(counted.finish(), Err(TransportError::TooManyScatterings { tau: 1e6 }));
     }
 
     #[test]

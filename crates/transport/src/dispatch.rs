@@ -67,7 +67,7 @@ pub(crate) struct Job<'a> {
 impl Job<'_> {
     #[inline(always)]
     fn run<R: Real>(self) {
-        Flock::<R>::new(self.half_space, self.photons, self.tallies).trace(self.control);
+        Flock::<R>::trace(self.half_space, self.photons, self.tallies, self.control);
     }
 }
 

@@ -78,6 +78,12 @@ pub enum TransportError {
         /// Histories started.
         launched: u64,
     },
+    /// A sum stopped at its largest number.
+    #[error("at tau = {tau} there are more scatterings than can be counted, {}", u64::MAX - 1)]
+    TooManyScatterings {
+        /// Optical thickness of the slab.
+        tau: f64,
+    },
     /// Text that names no share.
     #[error("shard = `{text}` is not K/N with whole numbers 1 <= K <= N <= 4294967296")]
     Share {

@@ -5,8 +5,9 @@
 
 use crate::Control;
 use crate::half_space::HalfSpace;
-use crate::lanes::{Block, Events, LANES, Photon};
+use crate::lanes::{Block, Events, LANES, Photon, lane_of};
 use crate::launches::Launches;
+use crate::ledger::Ledger;
 use crate::real::Real;
 use crate::tally::Tally;
 use std::ops::Range;
@@ -18,35 +19,52 @@ const PATIENCE: u32 = 256;
 pub(crate) struct Flock<'a, R: Real> {
     half_space: &'a HalfSpace<'a>,
     table: &'a R::Table,
-    /// Ascending, then infinity.
+    /// Of every row of the ledger: for each tally ascending, then infinity.
     bottoms: Vec<R>,
+    /// The same with 0 for infinity: nothing flies on there.
+    limits: Vec<R>,
     launches: Launches<'a, R>,
-    tallies: &'a mut [Tally],
+    ledger: Ledger,
     lanes: Block<R>,
     /// Photons in flight.
     alive: usize,
 }
 
 impl<'a, R: Real> Flock<'a, R> {
+    /// Traces `photons`, each range into its tally, or as far as they came when cancelled.
     #[inline(always)]
-    pub fn new(half_space: &'a HalfSpace<'a>, photons: &'a [Range<u64>], tallies: &'a mut [Tally]) -> Self {
+    pub fn trace(
+        half_space: &'a HalfSpace<'a>,
+        photons: &'a [Range<u64>],
+        tallies: &mut [Tally],
+        control: Control<'_>,
+    ) {
+        let Some(first) = tallies.first() else { return };
+        let slabs: Vec<R> =
+            half_space.bottoms.iter().copied().chain([f64::INFINITY]).map(R::rounded).collect();
+        let bottoms = slabs.repeat(photons.len());
+        let mut flock = Self {
+            half_space,
+            table: R::table(half_space.medium),
+            ledger: Ledger::new(first, bottoms.len()),
+            limits: bottoms
+                .iter()
+                .map(|&bottom| if bottom < R::INFINITY { bottom } else { R::ZERO })
+                .collect(),
+            bottoms,
+            launches: Launches::new(photons, slabs.len()),
+            lanes: Block::parked(),
+            alive: LANES,
+        };
+        flock.run(control);
         for (photons, tally) in photons.iter().zip(tallies.iter_mut()) {
             tally.launch(photons.end - photons.start);
         }
-        Self {
-            half_space,
-            table: R::table(half_space.medium),
-            bottoms: half_space.bottoms.iter().copied().chain([f64::INFINITY]).map(R::rounded).collect(),
-            launches: Launches::new(photons),
-            tallies,
-            lanes: Block::parked(),
-            alive: LANES,
-        }
+        flock.ledger.close(tallies);
     }
 
-    /// Traces all of them, or as far as they came when cancelled.
     #[inline(always)]
-    pub fn trace(mut self, control: Control<'_>) {
+    fn run(&mut self, control: Control<'_>) {
         (0..LANES).for_each(|lane| self.launch(lane));
         for step in 0_u32.. {
             if self.alive == 0 || step % PATIENCE == PATIENCE - 1 && control.is_cancelled() {
@@ -59,66 +77,75 @@ impl<'a, R: Real> Flock<'a, R> {
 
     #[inline(always)]
     fn settle_all(&mut self, events: Events) {
-        for half in [0, 64] {
-            let mut any = (events.any >> half) as u64;
-            while any != 0 {
-                let lane = half + any.trailing_zeros() as usize;
-                any &= any - 1;
-                self.settle(lane, (events.absorbed >> lane) & 1 == 1);
-            }
+        let mut absorbed = events.absorbed;
+        while absorbed != 0 {
+            self.absorb(lane_of(absorbed.trailing_zeros()) % LANES);
+            absorbed &= absorbed - 1;
+        }
+        let mut left = events.left;
+        while left != 0 {
+            self.settle(lane_of(left.trailing_zeros()) % LANES);
+            left &= left - 1;
         }
     }
 
-    /// Counts what happened to a photon, and replaces it if it has ended.
+    /// Counts an absorbed photon, which flew on for nothing, and replaces it.
     #[inline(always)]
-    fn settle(&mut self, lane: usize, absorbed: bool) {
+    fn absorb(&mut self, lane: usize) {
+        if !self.lanes.is_parked(lane) {
+            self.ledger.absorb(self.lanes.row.0[lane] as usize, self.lanes.order(lane) - 1);
+            self.launch(lane);
+        }
+    }
+
+    /// Counts what passed its bottom or the top, and replaces it if it has ended.
+    #[inline(always)]
+    fn settle(&mut self, lane: usize) {
         let lanes = &self.lanes;
-        let (depth, order) = (lanes.depth.0[lane], lanes.order(lane));
-        let (batch, slab) = (lanes.batch.0[lane], lanes.slab.0[lane] as usize);
-        if !absorbed {
-            let up = depth < R::ZERO;
-            self.tallies[batch as usize].leave(up, slab, order);
-            if !up {
-                let next = self.pass(batch, slab + 1, depth, order);
-                if next + 1 < self.bottoms.len() {
-                    let lanes = &mut self.lanes;
-                    (lanes.slab.0[lane], lanes.bottom.0[lane]) = (next as u32, self.bottoms[next]);
-                    return;
-                }
-            }
-        } else if !lanes.is_parked(lane) {
-            self.tallies[batch as usize].absorb(slab, order - 1);
-        } else {
-            return;
+        let (depth, order, row) = (lanes.depth.0[lane], lanes.order(lane), lanes.row.0[lane] as usize);
+        let up = depth < R::ZERO;
+        self.ledger.leave(up, row, order);
+        // What is above the top is above all bottoms: nobody could predict a branch on `up`.
+        let mut next = row + 1;
+        if depth >= self.bottoms[next] {
+            next = self.pass(next, depth, order);
         }
-        self.launch(lane);
+        let limit = self.limits[next];
+        if depth.is_out(limit) {
+            self.launch(lane);
+        } else {
+            (self.lanes.row.0[lane], self.lanes.bottom.0[lane]) = (next as u32, limit);
+        }
     }
 
-    /// Counts the slabs from `slab` on whose bottoms are above `depth`; returns the first that is not.
-    #[inline(always)]
-    fn pass(&mut self, batch: u32, mut slab: usize, depth: R, order: u32) -> usize {
-        while depth >= self.bottoms[slab] {
-            self.tallies[batch as usize].leave(false, slab, order);
-            slab += 1;
+    /// Counts the rows from `row` on whose bottoms are above `depth`; returns the first that is not.
+    #[inline(never)]
+    fn pass(&mut self, mut row: usize, depth: R, order: u32) -> usize {
+        while depth >= self.bottoms[row] {
+            self.ledger.leave(false, row, order);
+            row += 1;
         }
-        slab
+        row
     }
 
     /// Starts the next photon that does not pass all slabs in its first flight; parks the lane if none is left.
     #[inline(always)]
     fn launch(&mut self, lane: usize) {
         while let Some(from) = self.launches.next(self.half_space.key, self.half_space.incidence) {
-            let (depth, batch) = (self.launches.depth.0[from], self.launches.batch.0[from]);
-            let slab = self.pass(batch, 0, depth, 0);
-            if slab + 1 < self.bottoms.len() {
+            let depth = self.launches.depth.0[from];
+            let mut row = self.launches.row.0[from] as usize;
+            if depth >= self.bottoms[row] {
+                row = self.pass(row, depth, 0);
+            }
+            let limit = self.limits[row];
+            if !depth.is_out(limit) {
                 let photon = Photon {
                     state: self.launches.streams.state.0[from],
                     increment: self.launches.streams.increment.0[from],
                     mu: self.launches.mu.0[from],
                     depth,
-                    bottom: self.bottoms[slab],
-                    batch,
-                    slab: slab as u32,
+                    bottom: limit,
+                    row: row as u32,
                 };
                 return self.lanes.place(lane, photon);
             }

@@ -98,9 +98,8 @@ mod tests {
             Incidence::Beam(mu0) => R::rounded(mu0.get()),
             Incidence::Diffuse => R::diffuse_cosine(rng.next_u32()),
         };
-        let (mut depth, mut slab, mut order) = (R::ZERO, 0, 0);
+        let (mut depth, mut slab, mut order) = (mu * R::optical_path(rng.next_u32()), 0, 0);
         loop {
-            depth = depth + mu * R::optical_path(rng.next_u32());
             if depth < R::ZERO {
                 return tally.reflect(slab, order);
             }
@@ -115,7 +114,9 @@ mod tests {
                 return tally.absorb(slab, order);
             }
             let [v] = R::sample(table, &[rng.next_u32()]);
-            mu = mu.scattered(v, R::azimuth_cosine(rng.next_u32()));
+            let word = rng.next_u32();
+            mu = mu.scattered(v, R::azimuth_cosine(word));
+            depth = depth + mu * R::flight_path(word);
             order += 1;
         }
     }

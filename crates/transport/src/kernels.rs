@@ -1,6 +1,7 @@
 //! The two transcendental functions of the inner loop, as plain arithmetic: the same bits on every machine.
 //!
-//! A random word u stands for ξ = (u + ½)/2³², which is neither 0 nor 1.
+//! A random word u stands for ξ = (u + ½)/2³², which is neither 0 nor 1; a word serves azimuth and path of a flight as
+//! [`single`](crate::single) tells.
 //! Both functions are power series cut where the first term left out is below 5·10⁻¹⁴.
 
 use std::f64::consts::{LN_2, PI, SQRT_2};
@@ -16,11 +17,24 @@ pub(crate) fn uniform(bits: u32) -> f64 {
 }
 
 /// -ln ξ, an optical path of mean 1.
+#[inline(always)]
+pub(crate) fn optical_path(bits: u32) -> f64 {
+    minus_logarithm(uniform(bits))
+}
+
+/// -ln ξ', the path between two collisions.
+#[inline(always)]
+pub(crate) fn flight_path(bits: u32) -> f64 {
+    let low = bits & 0x003f_ffff;
+    minus_logarithm((f64::from(low) + 0.5) * (1.0 / 4_194_304.0))
+}
+
+/// -ln ξ.
 ///
 /// ξ = 2ᵏm with m ∈ \[√½, √2), and ln m = 2 artanh s = 2s(1 + s²/3 + s⁴/5 + …), s = (m-1)/(m+1), |s| < 0.172.
 #[inline(always)]
-pub(crate) fn optical_path(bits: u32) -> f64 {
-    let word = uniform(bits).to_bits();
+fn minus_logarithm(xi: f64) -> f64 {
+    let word = xi.to_bits();
     // The exponent field, counted from √½ instead of from ½.
     let shifted = word.wrapping_sub((0.5 * SQRT_2).to_bits());
     let exponent = (shifted >> 52) as i64 as i32;
@@ -34,10 +48,10 @@ pub(crate) fn optical_path(bits: u32) -> f64 {
 
 /// The cosine of a uniform azimuth.
 ///
-/// sin y with y = π(i+½)/2³², i the word as a signed number, |y| < π/2, by Taylor's series up to y¹⁷.
+/// sin y with y = π(½ - |i|/2³¹), i the word as a signed number, |y| ≤ π/2, by Taylor's series up to y¹⁷.
 #[inline(always)]
 pub(crate) fn azimuth_cosine(bits: u32) -> f64 {
-    let y = PI * WORD * (f64::from(bits as i32) + 0.5);
+    let y = PI * (0.5 - 2.0 * WORD * f64::from(bits as i32).abs());
     y * horner(y * y, SINE)
 }
 
@@ -85,9 +99,18 @@ mod tests {
     }
 
     #[test]
-    fn the_azimuth_is_the_sine() {
+    fn the_path_of_a_flight_is_the_logarithm_of_the_lower_bits() {
         for bits in words() {
-            let exact = libm::sin(PI * (f64::from(bits as i32) + 0.5) * WORD);
+            let exact = -libm::log((f64::from(bits % (1 << 22)) + 0.5) / 4_194_304.0);
+            let got = flight_path(bits);
+            assert!((got - exact).abs() <= 5e-14 && got > 0.0, "{bits}: {got} {exact}");
+        }
+    }
+
+    #[test]
+    fn the_azimuth_is_the_cosine() {
+        for bits in words() {
+            let exact = libm::cos(2.0 * PI * f64::from(bits as i32) * WORD);
             let got = azimuth_cosine(bits);
             assert!((got - exact).abs() <= 1e-13, "{bits}: {got} {exact}");
         }

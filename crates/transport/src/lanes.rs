@@ -15,19 +15,18 @@ const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
 #[derive(Clone)]
 pub(crate) struct Row<T>(pub [T; LANES]);
 
-/// One bit per lane.
+/// One bit per lane, in the order of [`lane_of`].
 pub(crate) type Mask = u128;
 
-/// A photon about to be scattered for the first time: `batch` says whose tally counts it, `bottom` is the next depth
-/// at which something is counted, `slab` its index.
+/// A photon about to be scattered for the first time: `bottom` is the next depth at which something is counted, in the
+/// row `row`.
 pub(crate) struct Photon<R> {
     pub state: u64,
     pub increment: u64,
     pub mu: R,
     pub depth: R,
     pub bottom: R,
-    pub batch: u32,
-    pub slab: u32,
+    pub row: u32,
 }
 
 /// Photons field by field.
@@ -40,8 +39,7 @@ pub(crate) struct Block<R> {
     pub mu: Row<R>,
     pub depth: Row<R>,
     pub bottom: Row<R>,
-    pub batch: Row<u32>,
-    pub slab: Row<u32>,
+    pub row: Row<u32>,
     /// Steps done when the photon had no scattering yet.
     born: Row<u32>,
 }
@@ -49,9 +47,9 @@ pub(crate) struct Block<R> {
 /// What a step brought about, one bit per lane.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Events {
-    /// There is something to count: the photon passed its bottom or the top, or was absorbed.
-    pub any: Mask,
     pub absorbed: Mask,
+    /// The photon passed its bottom or the top and was not absorbed.
+    pub left: Mask,
 }
 
 impl<R: Real> Block<R> {
@@ -63,8 +61,7 @@ impl<R: Real> Block<R> {
             mu: Row([R::ZERO; LANES]),
             depth: Row([R::PARKED; LANES]),
             bottom: Row([R::INFINITY; LANES]),
-            batch: Row([0; LANES]),
-            slab: Row([0; LANES]),
+            row: Row([0; LANES]),
             born: Row([0; LANES]),
         }
     }
@@ -76,8 +73,7 @@ impl<R: Real> Block<R> {
         self.mu.0[lane] = photon.mu;
         self.depth.0[lane] = photon.depth;
         self.bottom.0[lane] = photon.bottom;
-        self.batch.0[lane] = photon.batch;
-        self.slab.0[lane] = photon.slab;
+        self.row.0[lane] = photon.row;
         self.born.0[lane] = self.steps;
     }
 
@@ -103,18 +99,17 @@ impl<R: Real> Block<R> {
         self.steps = self.steps.wrapping_add(1);
         let absorbed = self.absorb(absorbs_from);
         let angles = Row(R::sample(table, &self.streams.draw().0));
-        let azimuths = self.streams.draw();
         let words = self.streams.draw();
         let mut paths = Row([R::ZERO; LANES]);
         for k in 0..LANES {
-            paths.0[k] = R::optical_path(words.0[k]);
+            paths.0[k] = R::flight_path(words.0[k]);
         }
         for k in 0..LANES {
-            let mu = self.mu.0[k].scattered(angles.0[k], R::azimuth_cosine(azimuths.0[k]));
+            let mu = self.mu.0[k].scattered(angles.0[k], R::azimuth_cosine(words.0[k]));
             self.mu.0[k] = mu;
             self.depth.0[k] = self.depth.0[k] + mu * paths.0[k];
         }
-        Events { any: absorbed | self.left(), absorbed }
+        Events { absorbed, left: self.left() & !absorbed }
     }
 
     #[inline(always)]
@@ -123,21 +118,13 @@ impl<R: Real> Block<R> {
             return 0;
         }
         let words = self.streams.draw();
-        let mut absorbed = Row([0; LANES]);
-        for k in 0..LANES {
-            absorbed.0[k] = u8::from(words.0[k] >= absorbs_from as u32);
-        }
-        gathered(&absorbed)
+        gathered(|k| words.0[k] >= absorbs_from as u32)
     }
 
     /// The lanes whose photon is above the top or below its bottom.
     #[inline(always)]
     fn left(&self) -> Mask {
-        let mut left = Row([0; LANES]);
-        for k in 0..LANES {
-            left.0[k] = u8::from((self.depth.0[k] < R::ZERO) | (self.depth.0[k] >= self.bottom.0[k]));
-        }
-        gathered(&left)
+        gathered(|k| self.depth.0[k].is_out(self.bottom.0[k]))
     }
 }
 
@@ -186,15 +173,26 @@ fn output(halves: [u32; 2]) -> u32 {
     shifted.rotate_right(high >> 27)
 }
 
-/// Bit k is byte k, each of which is 0 or 1.
+/// The lane of a mask's bit.
 #[inline(always)]
-fn gathered(bytes: &Row<u8>) -> Mask {
-    let mut bits = 0;
-    for (k, eight) in bytes.0.as_chunks::<8>().0.iter().enumerate() {
-        let spread = u64::from_le_bytes(*eight).wrapping_mul(0x0102_0408_1020_4080);
-        bits |= Mask::from(spread >> 56) << (8 * k);
+pub(crate) fn lane_of(bit: u32) -> usize {
+    ((bit % 8) * 16 + bit / 8) as usize
+}
+
+/// The mask of the lanes for which `flag` is true: lane 16i + j is bit i of byte j, so that vectors can add it up.
+#[inline(always)]
+fn gathered(flag: impl Fn(usize) -> bool) -> Mask {
+    let mut flags = [[0_u8; 16]; 8];
+    for (lane, one) in flags.as_flattened_mut().iter_mut().enumerate() {
+        *one = u8::from(flag(lane));
     }
-    bits
+    let [a, b, c, d, e, f, g, h] = flags;
+    let mut bytes = [0; 16];
+    for j in 0..16 {
+        let low = a[j] | (b[j] << 1) | (c[j] << 2) | (d[j] << 3);
+        bytes[j] = low | (e[j] << 4) | (f[j] << 5) | (g[j] << 6) | (h[j] << 7);
+    }
+    Mask::from_le_bytes(bytes)
 }
 
 #[cfg(test)]
@@ -221,12 +219,11 @@ mod tests {
     }
 
     #[test]
-    fn bytes_become_bits() {
+    fn every_lane_has_its_bit() {
         for lane in 0..LANES {
-            let mut bytes = Row([0; LANES]);
-            bytes.0[lane] = 1;
-            assert_eq!(gathered(&bytes), 1 << lane);
+            let mask = gathered(|k| k == lane);
+            assert_eq!((mask.count_ones(), lane_of(mask.trailing_zeros())), (1, lane));
         }
-        assert_eq!(gathered(&Row([1; LANES])), Mask::MAX);
+        assert_eq!(gathered(|_| true), Mask::MAX);
     }
 }

@@ -12,28 +12,31 @@ pub(crate) struct Launches<'a, R> {
     pub streams: Streams,
     pub mu: Row<R>,
     pub depth: Row<R>,
-    /// Which of the ranges a photon is from.
-    pub batch: Row<u32>,
+    /// The first row of its range's counts.
+    pub row: Row<u32>,
     index: Row<u64>,
     next: usize,
     ready: usize,
     ranges: &'a [Range<u64>],
+    /// Rows per range.
+    rows: usize,
     /// The present range, and how many of its photons have been prepared.
     range: usize,
     prepared: u64,
 }
 
 impl<'a, R: Real> Launches<'a, R> {
-    pub fn new(ranges: &'a [Range<u64>]) -> Self {
+    pub fn new(ranges: &'a [Range<u64>], rows: usize) -> Self {
         Self {
             streams: Streams::default(),
             mu: Row([R::ZERO; LANES]),
             depth: Row([R::ZERO; LANES]),
-            batch: Row([0; LANES]),
+            row: Row([0; LANES]),
             index: Row([0; LANES]),
             next: 0,
             ready: 0,
             ranges,
+            rows,
             range: 0,
             prepared: 0,
         }
@@ -50,7 +53,7 @@ impl<'a, R: Real> Launches<'a, R> {
             self.prepare(key, incidence);
         }
         self.next += 1;
-        Some(self.next - 1)
+        Some((self.next - 1) % LANES)
     }
 
     /// Lists the photons of a new row.
@@ -60,10 +63,9 @@ impl<'a, R: Real> Launches<'a, R> {
         while let Some(range) = self.ranges.get(self.range) {
             let (from, free) = (range.start + self.prepared, LANES - self.ready);
             let count = (range.end - from).min(free as u64) as usize;
-            for k in 0..count {
-                self.index.0[self.ready + k] = from + k as u64;
-                self.batch.0[self.ready + k] = self.range as u32;
-            }
+            let row = (self.range * self.rows) as u32;
+            self.index.0[self.ready..].iter_mut().zip(from..).for_each(|(index, photon)| *index = photon);
+            self.row.0[self.ready..].fill(row);
             self.ready += count;
             self.prepared += count as u64;
             if self.ready == LANES {

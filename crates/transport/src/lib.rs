@@ -23,6 +23,7 @@ mod half_space;
 mod kernels;
 mod lanes;
 mod launches;
+mod ledger;
 mod medium;
 mod part;
 mod photon_set;

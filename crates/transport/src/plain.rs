@@ -3,7 +3,7 @@
 
 use crate::run::{Estimator, run};
 use crate::tally::Tally;
-use crate::walk::{Walk, sunbeam, uniform};
+use crate::walk::{Walk, inverted, sunbeam, uniform};
 use crate::{Control, TraceMedium, TraceRequest, Traced, TransportError};
 use glam::DVec3;
 use rand_pcg::Pcg32;
@@ -55,6 +55,7 @@ impl Estimator for Plain<'_> {
     const LONGEST: u64 = 64;
 
     fn trace(&self, photons: Range<u64>, tally: &mut Tally, control: Control<'_>) {
+        let sampler = inverted(self.medium);
         for index in photons {
             tally.launch(1);
             for (slab, &bottom) in self.bottoms.iter().enumerate() {
@@ -63,7 +64,7 @@ impl Estimator for Plain<'_> {
                 }
                 let mut rng = photon_stream(self.key, index | (slab as u64) << 48);
                 let start = self.launch(&mut rng);
-                let end = Walk { medium: self.medium, bottom }.history(start, &mut rng, |_| ());
+                let end = Walk { medium: self.medium, sampler, bottom }.history(start, &mut rng, |_| ());
                 match end.side {
                     Some(Side::Top) => tally.reflect(slab, end.order),
                     Some(Side::Bottom) => tally.transmit(slab, end.order),

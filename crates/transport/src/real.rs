@@ -18,12 +18,16 @@ pub(crate) trait Real: Copy + PartialOrd + Add<Output = Self> + Mul<Output = Sel
     fn rounded(value: f64) -> Self;
     /// -ln ξ of a word.
     fn optical_path(bits: u32) -> Self;
+    /// The path of a flight between two collisions, whose azimuth is of the same word.
+    fn flight_path(bits: u32) -> Self;
     /// The cosine of a uniform azimuth.
     fn azimuth_cosine(bits: u32) -> Self;
     /// √ξ of a word.
     fn diffuse_cosine(bits: u32) -> Self;
     /// μ after scattering by 1 - cosΘ = `v`.
     fn scattered(self, v: Self, azimuth: Self) -> Self;
+    /// Whether a photon at this depth is above the top or not above `bottom`: bits of a sign are above all others. No sum of depths is -0.
+    fn is_out(self, bottom: Self) -> bool;
     /// 1 - cosΘ of every word.
     fn sample<const N: usize>(table: &Self::Table, words: &[u32; N]) -> [Self; N];
 }
@@ -49,6 +53,11 @@ impl Real for f32 {
     }
 
     #[inline(always)]
+    fn flight_path(bits: u32) -> Self {
+        single::flight_path(bits)
+    }
+
+    #[inline(always)]
     fn azimuth_cosine(bits: u32) -> Self {
         single::azimuth_cosine(bits)
     }
@@ -61,6 +70,11 @@ impl Real for f32 {
     #[inline(always)]
     fn scattered(self, v: Self, azimuth: Self) -> Self {
         single::scattered(self, v, azimuth)
+    }
+
+    #[inline(always)]
+    fn is_out(self, bottom: Self) -> bool {
+        self.to_bits() >= bottom.to_bits()
     }
 
     #[inline(always)]
@@ -90,6 +104,11 @@ impl Real for f64 {
     }
 
     #[inline(always)]
+    fn flight_path(bits: u32) -> Self {
+        kernels::flight_path(bits)
+    }
+
+    #[inline(always)]
     fn azimuth_cosine(bits: u32) -> Self {
         kernels::azimuth_cosine(bits)
     }
@@ -103,6 +122,11 @@ impl Real for f64 {
     fn scattered(self, v: Self, azimuth: Self) -> Self {
         let sine = ((1.0 - self * self).max(0.0) * v * (2.0 - v)).sqrt();
         self * (1.0 - v) + sine * azimuth
+    }
+
+    #[inline(always)]
+    fn is_out(self, bottom: Self) -> bool {
+        self.to_bits() >= bottom.to_bits()
     }
 
     #[inline(always)]

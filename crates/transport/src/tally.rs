@@ -19,7 +19,8 @@ pub enum Quantity {
 
 /// Counts per thickness and order bin. Bins are the orders 0…N and the tail; thicknesses ascend.
 ///
-/// Sums saturate at 2⁶⁴ - 1: scatterings of 10¹² photons at τ = 10⁶ come to 2·10¹⁸, a ninth of that.
+/// Sums saturate at 2⁶⁴ - 1, which [`TransportError::TooManyScatterings`](crate::TransportError) refuses: scatterings of 10¹² photons
+/// at τ = 10⁶ come to 2·10¹⁸, a ninth of that.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tally {
     /// Rows per thickness.
@@ -62,6 +63,17 @@ impl Tally {
     /// `photons` histories start.
     pub fn launch(&mut self, photons: u64) {
         self.launched += photons;
+    }
+
+    /// Adds a row of a [`Ledger`](crate::ledger::Ledger).
+    pub fn add_slab(&mut self, slab: usize, row: &[u64]) {
+        let (turned, rest) = row.split_at(self.bins);
+        let (passed, rest) = rest.split_at(self.bins);
+        let cells = slab * self.bins..(slab + 1) * self.bins;
+        sum_into(&mut self.reflected[cells.clone()], turned);
+        sum_into(&mut self.transmitted[cells], passed);
+        let sums = [&mut self.absorbed[slab], &mut self.turned[slab], &mut self.passed[slab]];
+        sums.into_iter().zip(rest).for_each(|(sum, count)| *sum = sum.saturating_add(*count));
     }
 
     /// A photon leaves through the bottom of slab `thickness` after `order` scatterings.

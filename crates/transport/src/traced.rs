@@ -32,6 +32,9 @@ impl Traced {
             if counted != launched {
                 return Err(TransportError::Books { tau, counted, launched });
             }
+            if total.scatterings[place] == u64::MAX {
+                return Err(TransportError::TooManyScatterings { tau });
+            }
         }
         let (tau, incidence, max_order) = (request.tau.clone(), request.incidence, request.max_order);
         let rank = rank.to_vec();

@@ -1,7 +1,7 @@
-//! One photon's history in three dimensions, by the phase function's own inversion and library functions: the
-//! reference that every other tracer is held against.
+//! One photon's history in three dimensions, by library functions.
 //!
-//! Depth is the z coordinate, downwards, in mean free paths of the medium traced. A beam from the horizon is a
+//! Scattering angles come from the phase function's own inversion ([`inverted`]), which makes the reference that every
+//! other tracer is held against, or from its [table](TraceMedium::table) ([`tabulated`]), many times as fast. Depth is the z coordinate, downwards, in mean free paths of the medium traced. A beam from the horizon is a
 //! limit: its first collision is at the surface.
 
 use crate::TraceMedium;
@@ -11,10 +11,11 @@ use rand_pcg::Pcg32;
 use std::f64::consts::TAU;
 use stratiform_quantities::Side;
 
-/// A slab of a medium.
+/// A slab of a medium, and its sampler of 1 - cosΘ.
 #[derive(Clone, Copy)]
-pub(crate) struct Walk<'a> {
+pub(crate) struct Walk<'a, S> {
     pub medium: &'a TraceMedium,
+    pub sampler: S,
     /// Depth of the lower face.
     pub bottom: f64,
 }
@@ -38,7 +39,19 @@ pub(crate) struct End {
     pub direction: DVec3,
 }
 
-impl Walk<'_> {
+/// 1 - cosΘ by the phase function's own inversion.
+pub(crate) fn inverted(medium: &TraceMedium) -> impl Fn(&mut Pcg32) -> f64 + Copy {
+    let phase = medium.phase().as_ref();
+    |rng| phase.invert(uniform(rng))
+}
+
+/// 1 - cosΘ by the table, within its bound of the same probability.
+pub(crate) fn tabulated(medium: &TraceMedium) -> impl Fn(&mut Pcg32) -> f64 + Copy {
+    let table = medium.table();
+    |rng| table.sample(rng.next_u32())
+}
+
+impl<S: Fn(&mut Pcg32) -> f64> Walk<'_, S> {
     /// Follows a photon that enters along `direction`; `collide` sees each collision before it is known whether the
     /// photon survives it.
     pub fn history(&self, mut direction: DVec3, rng: &mut Pcg32, mut collide: impl FnMut(&Collision)) -> End {
@@ -63,7 +76,7 @@ impl Walk<'_> {
 
     /// A new direction at the sampled angle from `direction`.
     fn scatter(&self, direction: DVec3, rng: &mut Pcg32) -> DVec3 {
-        let v = self.medium.phase().invert(uniform(rng));
+        let v = (self.sampler)(rng);
         let azimuth = TAU * uniform(rng);
         let (across, up) = direction.any_orthonormal_pair();
         let (sine, cosine) = libm::sincos(azimuth);

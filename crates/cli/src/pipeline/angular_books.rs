@@ -1,10 +1,11 @@
 //! `angular-books.csv`: the energy books of the angular model (Bouthors, Neyret & Lefebvre 2006, section 4), corrected and as
 //! printed, against the 1-D model's orders and the solver's, in the modified medium.
 
-use super::hemisphere::{AtAngle, Hemisphere};
+use super::cut::Cut;
+use super::hemisphere::{AtAngle, Hemisphere, Leaving};
 use super::optics::Cloud;
 use super::reference::Media;
-use super::{curves, input_error, trace_error};
+use super::{curves, trace_error};
 use crate::CliError;
 use crate::config::Config;
 use rayon::prelude::*;
@@ -42,32 +43,33 @@ const COLUMNS: [(Order, AngularForm); 9] = [
 pub fn write(
     config: &Config,
     cloud: &Cloud,
+    cut: &Cut,
     parameters: &ParametersDocument,
     dir: &Path,
 ) -> Result<Vec<String>, CliError> {
-    write_csv(&dir.join("angular-books.csv"), &rows(config, cloud, parameters, &THICKNESS_M)?)?;
+    write_csv(&dir.join("angular-books.csv"), &rows(config, cloud, cut, parameters, &THICKNESS_M)?)?;
     Ok(vec!["angular-books.csv".to_owned()])
 }
 
-/// The books of every angle of the table below 90°, where the 1-D model cannot fit, and of these thicknesses.
+/// The books of every angle of the table below 90°, where the 1-D model cannot fit, and of these thicknesses; `cut` is of the same cloud.
 ///
 /// # Errors
 /// [`CliError::Failed`] if the solver misses its tolerance, [`CliError::Input`] for numbers out of domain.
 pub fn rows(
     config: &Config,
     cloud: &Cloud,
+    cut: &Cut,
     parameters: &ParametersDocument,
     thickness_m: &[f64],
 ) -> Result<Vec<AngularBooksRow>, CliError> {
-    let theta_f_deg = parameters.medium.theta_f_deg;
-    let wide = cloud.phase.modified(theta_f_deg).map_err(input_error)?;
-    let squared = wide.squared().map_err(input_error)?;
-    let hemisphere = Hemisphere::new(&wide, &squared, theta_f_deg);
+    let hemisphere = Hemisphere::new(cut, parameters.medium.theta_f_deg);
     let table = &parameters.metres;
     let slanted = table.rows.iter().filter_map(|row| Some((row.theta_l_deg.degrees()?, row)));
     let lights: Vec<_> = slanted.filter(|(theta, _)| *theta < 90.0).collect();
     let angles: Vec<f64> = lights.iter().map(|(theta, _)| *theta).collect();
     let solved = solve(config, cloud, thickness_m, &angles)?;
+    let leaving: Vec<Leaving> =
+        angles.par_iter().map(|theta| hemisphere.under(cos_degrees(*theta))).collect();
     let mut slabs = Vec::new();
     for (i, (theta, row)) in lights.iter().enumerate() {
         let values = curves::emitted(table, row);
@@ -77,7 +79,7 @@ pub fn rows(
         }
     }
     let books: Vec<Vec<AngularBooksRow>> =
-        slabs.par_iter().map(|slab| slab.books(&hemisphere, &solved)).collect();
+        slabs.par_iter().map(|slab| slab.books(&leaving[slab.place.0], &solved)).collect();
     Ok(books.concat())
 }
 
@@ -106,9 +108,9 @@ struct Slab<'a> {
 }
 
 impl Slab<'_> {
-    fn books(&self, hemisphere: &Hemisphere, solved: &Solved) -> Vec<AngularBooksRow> {
+    fn books(&self, leaving: &Leaving, solved: &Solved) -> Vec<AngularBooksRow> {
         let side = |side| {
-            let integrals = hemisphere.fluxes(cos_degrees(self.theta_l_deg), side, |sight, functions| {
+            let integrals = leaving.fluxes(side, |sight, functions| {
                 radiances(self.kappa_s(), self.thickness_m, &self.fluxes, sight, functions)
             });
             integrals.into_iter().zip(COLUMNS).map(move |(integral, (order, form))| AngularBooksRow {

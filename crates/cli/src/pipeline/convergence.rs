@@ -24,7 +24,7 @@ type Tracer = fn(&TraceMedium, &TraceRequest, Control<'_>) -> Result<Traced, Tra
 const TOLERANCE: f64 = 1e-7;
 
 /// Streams per hemisphere of the truth, and of the points.
-const FINEST: usize = 128;
+const FINEST: usize = 96;
 const STREAMS: [usize; 9] = [2, 4, 6, 8, 12, 16, 24, 32, 48];
 
 /// Runs of the solver of which the fastest counts.
@@ -61,6 +61,8 @@ pub fn write(
     let finest = solver.totals_with_streams(FINEST, &tau, &[incidence]).map_err(super::trace_error)?;
     let truth = tau.iter().zip(finest).map(|(tau, (reflectance, _))| (*tau, reflectance)).collect();
     let seed = config.transport.seed.unwrap_or_default();
+    // Its table belongs to no point.
+    media.get(Medium::Full).pieces();
     let cost = solver_cost::rows(&SolveMedium::from(media.get(Medium::Full)), incidence)?;
     let curve = Curve { settings, seed, media, solver, incidence, truth, talk };
     let mut rows = curve.points("plain", trace_plain, &settings.plain_photons)?;

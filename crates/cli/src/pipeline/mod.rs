@@ -8,6 +8,7 @@ pub mod angular_books;
 pub mod colour;
 mod convergence;
 mod curves;
+pub mod cut;
 pub mod export;
 pub mod family;
 pub mod fluxes;

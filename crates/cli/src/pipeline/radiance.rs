@@ -6,14 +6,14 @@ use crate::CliError;
 use crate::config::Config;
 use crate::output::Talk;
 use crate::progress;
-use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 use stratiform_artifact::{Provenance, create_folder, hash_of, write_json};
-use stratiform_fit::{Draw, Drawn, RadianceConfig, RadiancePlan, RadiancePoint, SunViews, fit_radiance};
+use stratiform_fit::{Draw, Drawn, RadianceConfig, RadiancePlan, RadiancePoint, fit_radiance};
 use stratiform_model::angular::PhaseLookup;
 use stratiform_optics::phase::{Modified, PhaseFunction};
-use stratiform_transport::solve::{RadianceOrder, RadianceSolver, SolveMedium, View};
+use stratiform_quantities::Side;
+use stratiform_transport::solve::{RadianceOrder, RadianceSolver, Radiances, SolveMedium, View};
 
 const METHOD: &str = "discrete ordinates; weighted linear least squares of ln(I - I1); std_error is that of White's sandwich: the \
                       spread that other points would give";
@@ -44,12 +44,10 @@ pub fn write(
     let medium = SolveMedium::full(phase.clone(), cloud.omega);
     let solver = RadianceSolver::new(medium, settings.tolerance).map_err(trace_error)?;
     let plans = [Draw::Fitted, Draw::Check].map(|draw| RadiancePlan::new(settings, draw));
-    let bar = progress::bar(plans.iter().map(|plan| plan.suns.len() as u64).sum(), "suns", talk.quiet);
-    let mut solved = Vec::new();
-    for plan in &plans {
-        solved.push(solve(&solver, plan, &|| bar.inc(1))?);
-    }
-    bar.finish_and_clear();
+    let spinner = progress::spinner("radiances", talk.quiet);
+    let solved = plans.iter().map(|plan| solve(&solver, plan)).collect::<Result<Vec<_>, _>>();
+    spinner.finish_and_clear();
+    let solved = solved?;
     let wide = Wide(Modified::new(phase, config.optics.theta_f_deg)?);
     let [fitted, check] = [0, 1].map(|i| Drawn { sample: &plans[i].sample, points: &solved[i] });
     let record = source::medium(config, cloud)?;
@@ -61,36 +59,28 @@ pub fn write(
     Ok(files.to_vec())
 }
 
-/// Suns side by side, each with its views: the work that they share is most of it.
-fn solve(
-    solver: &RadianceSolver,
-    plan: &RadiancePlan,
-    done: &(dyn Fn() + Sync),
-) -> Result<Vec<RadiancePoint>, CliError> {
-    let one = |sun: &SunViews| {
-        let points = solve_sun(solver, &plan.tau, sun);
-        done();
-        points
-    };
-    let solved: Vec<_> = plan.suns.par_iter().map(one).collect();
-    Ok(solved.into_iter().collect::<Result<Vec<_>, CliError>>()?.concat())
+/// All suns of a plan in one go, each with its views: the work that they share is most of it.
+fn solve(solver: &RadianceSolver, plan: &RadiancePlan) -> Result<Vec<RadiancePoint>, CliError> {
+    let view = |&(side, mu, phi_deg): &(Side, f64, f64)| View { side, mu, phi_deg };
+    let suns: Vec<(f64, Vec<View>)> =
+        plan.suns.iter().map(|sun| (sun.mu_l, sun.views.iter().map(view).collect())).collect();
+    let solved = solver.radiance_of_suns(&plan.tau, &suns).map_err(trace_error)?;
+    Ok(suns.iter().zip(&solved).flat_map(|(sun, solved)| points(&plan.tau, sun, solved)).collect())
 }
 
-fn solve_sun(solver: &RadianceSolver, tau: &[f64], sun: &SunViews) -> Result<Vec<RadiancePoint>, CliError> {
-    let views: Vec<View> = sun.views.iter().map(|&(side, mu, phi_deg)| View { side, mu, phi_deg }).collect();
-    let solved = solver.radiance(tau, &[sun.mu_l], &views).map_err(trace_error)?;
+fn points(tau: &[f64], (mu_l, views): &(f64, Vec<View>), solved: &Radiances) -> Vec<RadiancePoint> {
     let mut points = Vec::new();
     for (t, &tau) in tau.iter().enumerate() {
         points.extend(views.iter().enumerate().map(|(v, view)| RadiancePoint {
             tau,
-            mu_l: sun.mu_l,
+            mu_l: *mu_l,
             mu_v: view.mu,
             phi_deg: view.phi_deg,
             side: view.side,
             radiance: solved.estimate(t, 0, v, RadianceOrder::Total),
         }));
     }
-    Ok(points)
+    points
 }
 
 /// P_S; the model looks up nothing else.

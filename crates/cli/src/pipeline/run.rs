@@ -1,5 +1,6 @@
 //! The chain itself.
 
+use super::cut::Cut;
 use super::optics::Cloud;
 use super::stage::Workspace;
 use super::{
@@ -10,6 +11,7 @@ use crate::CliError;
 use crate::config::{Config, Source};
 use crate::output::Talk;
 use crate::progress;
+use std::cell::OnceCell;
 use std::path::Path;
 use stratiform_artifact::{
     LadderRow, OpticsDocument, ParametersDocument, Provenance, create_folder, read_csv, read_json, read_text,
@@ -49,7 +51,7 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
     stratiform_fit::ALBEDO
         .check("single_scattering_albedo", cloud.omega.get())
         .map_err(|error| CliError::from(error).at("the model that is fitted has no absorption"))?;
-    let chain = Chain { config, cloud: &cloud, provenance: &provenance, talk };
+    let chain = Chain { config, cloud: &cloud, cut: OnceCell::new(), provenance: &provenance, talk };
     let inputs = chain.inputs(&work, config.transport.source);
     work.stage("reference", &inputs, |dir| source::write_reference(config, &cloud, dir, talk))?;
     work.stage("fit", &(work.hash_of_stage("reference"), &provenance, &config.fit), |dir| chain.fit(dir))?;
@@ -72,11 +74,21 @@ pub fn provenance(config: &Config) -> Provenance {
 struct Chain<'a> {
     config: &'a Config,
     cloud: &'a Cloud,
+    /// Made by the first stage that asks.
+    cut: OnceCell<Cut>,
     provenance: &'a Provenance,
     talk: Talk,
 }
 
 impl Chain<'_> {
+    fn cut(&self) -> Result<&Cut, CliError> {
+        if let Some(cut) = self.cut.get() {
+            return Ok(cut);
+        }
+        let cut = Cut::new(self.cloud, self.config.optics.theta_f_deg)?;
+        Ok(self.cut.get_or_init(|| cut))
+    }
+
     /// What the fluxes of `source` depend on.
     fn inputs(&self, work: &Workspace, source: Source) -> impl serde::Serialize + use<> {
         let transport = self.config.transport.that_counts(source);
@@ -115,16 +127,18 @@ impl Chain<'_> {
         document: &OpticsDocument,
         parameters: &ParametersDocument,
     ) -> Result<(), CliError> {
-        let Self { config, cloud, provenance, talk } = *self;
+        let Self { config, cloud, provenance, talk, .. } = *self;
         let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
         let beside = ["family", "radiance"].map(|stage| work.hash_of_stage(stage));
         let inputs = (&before, beside, &config.codegen.targets);
-        work.stage("codegen", &inputs, |dir| codegen(config, parameters, cloud, dir))?;
+        work.stage("codegen", &inputs, |dir| codegen(config, parameters, cloud, self.cut()?, dir))?;
         self.colour(work)?;
         self.agreement(work, parameters)?;
         self.ladder(work, parameters)?;
         self.convergence(work, &before)?;
-        work.stage("angular-books", &before, |dir| angular_books::write(config, cloud, parameters, dir))?;
+        work.stage("angular-books", &before, |dir| {
+            angular_books::write(config, cloud, self.cut()?, parameters, dir)
+        })?;
         self.principal_plane(work, parameters)?;
         work.stage("notes", &(&before, provenance, config.published_table), |dir| {
             notes(config, document, cloud, parameters, provenance, dir)
@@ -219,7 +233,7 @@ impl Chain<'_> {
         let stages = ["optics", "fit", "radiance"].map(|stage| work.hash_of_stage(stage));
         let inputs = (stages, settings, config.transport.seed);
         work.stage("principal-plane", &inputs, |dir| {
-            principal_plane::write(config, settings, cloud, parameters, dir, talk)
+            principal_plane::write(config, settings, cloud, self.cut()?, parameters, dir, talk)
         })
     }
 }
@@ -228,18 +242,21 @@ fn codegen(
     config: &Config,
     parameters: &ParametersDocument,
     cloud: &Cloud,
+    cut: &Cut,
     dir: &Path,
 ) -> Result<Vec<String>, CliError> {
     let theta_f = parameters.medium.theta_f_deg;
-    let modified = cloud.phase.modified(theta_f).map_err(input_error)?;
-    let squared = modified.squared().map_err(input_error)?;
     let rows = |table: &PhaseTable| {
         let pairs = table.theta_deg().iter().zip(table.values());
         pairs.map(|(theta_deg, p)| PhaseRow { theta_deg: *theta_deg, p: *p }).collect()
     };
     let inputs = Inputs {
         parameters: parameters.clone(),
-        phase: PhaseTables { full: rows(&cloud.phase), modified: rows(&modified), squared: rows(&squared) },
+        phase: PhaseTables {
+            full: rows(&cloud.phase),
+            modified: rows(&cut.wide),
+            squared: rows(&cut.squared),
+        },
         halo: halo::table(&cloud.phase, theta_f)?,
         radiance: config.radiance.iter().map(|_| read_json(&dir.join(radiance::FILE))).next().transpose()?,
         reference: read_csv(&dir.join("reference.csv"))?,

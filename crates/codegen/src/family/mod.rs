@@ -53,10 +53,8 @@ pub fn generate_family(
         ("family_phase.csv".to_owned(), to_csv(&phase_rows(family))?),
     ];
     let libraries = [&over_radius, &phase, &phase_over_radius];
-    for (library, target) in libraries.iter().flat_map(|library| targets.iter().map(move |t| (library, *t))) {
-        if let (Some(text), Some(extension)) = (translate(library, target)?, target.extension()) {
-            files.push((format!("{}.{extension}", library.name), text));
-        }
+    for library in libraries {
+        files.extend(translate(library, targets)?);
     }
     Ok(files.into_iter().map(|(name, text)| (name, text.into_bytes())).collect())
 }

@@ -1,5 +1,8 @@
 //! Names that some target reserves, defines as a macro, or that the printer needs itself.
 
+use std::collections::HashSet;
+use std::sync::LazyLock;
+
 /// Keywords and reserved words of WGSL, GLSL 4.5 and ES 3.0, HLSL, Metal, C, C++ and Rust, and their types.
 const KEYWORDS: &str = "
 abstract active alias alignas alignof and and_eq array as asm async atomic attribute auto await become bitand bitor
@@ -35,10 +38,14 @@ refract round rsqrt saturate sign sincos sinh smoothstep step tan tanh transpose
 /// What the printer calls a structure on its way out.
 const RESULT: &str = "result";
 
+/// All words that mean something else.
+static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| {
+    [KEYWORDS, MACROS, FUNCTIONS].iter().flat_map(|words| words.split_whitespace()).collect()
+});
+
 /// Why nothing can be called `name`; none if it can.
 pub(super) fn reason(name: &str) -> Option<&'static str> {
-    let among = |words: &str| words.split_whitespace().any(|word| word == name);
-    if among(KEYWORDS) || among(MACROS) || among(FUNCTIONS) {
+    if WORDS.contains(name) {
         Some("means something else in a target")
     } else if name.starts_with('_') || name.starts_with("gl_") || name.contains("__") {
         Some("has a form that targets reserve")

@@ -190,10 +190,21 @@ fn members(library: &Library<'_>, glue: &str) -> String {
     format!("{needed}{}{glue}", if needed.is_empty() { "" } else { "\n" })
 }
 
-/// The library in the language of `target`; none for SPIR-V.
-pub(crate) fn translate(library: &Library<'_>, target: Target) -> Result<Option<String>, SubsetError> {
-    let Some(extension) = target.extension() else { return Ok(None) };
+/// The library in the language of each of `targets`, under its file's name; SPIR-V is left out.
+pub(crate) fn translate(
+    library: &Library<'_>,
+    targets: &[Target],
+) -> Result<Vec<(String, String)>, SubsetError> {
     let tree = tree(library)?;
+    let text = |target: &Target| {
+        let extension = target.extension()?;
+        Some((format!("{}.{extension}", library.name), print(library, &tree, *target, extension)))
+    };
+    Ok(targets.iter().filter_map(text).collect())
+}
+
+/// The whole file in the language of `target`.
+fn print(library: &Library<'_>, tree: &Tree, target: Target, extension: &str) -> String {
     let glue = library.glue.as_ref().map_or(String::new(), |glue| (glue.text)(target));
     let print = |members| c_family::print(&tree.items, tree.own, &target.dialect(), members);
     let code = match (target, library.owner) {
@@ -209,7 +220,7 @@ pub(crate) fn translate(library: &Library<'_>, target: Target) -> Result<Option<
     let usage =
         target.usage(&library.needs.iter().map(|n| format!("{}.{extension}", n.name)).collect::<Vec<_>>());
     let head = library.head.replace("@USE@", &format!("{}.{extension}: {usage}", library.name));
-    Ok(Some(format!("{head}\n{before}{code}{after}")))
+    format!("{head}\n{before}{code}{after}")
 }
 
 /// What stands above and below the code.

@@ -33,7 +33,7 @@ fn stratiform_pair(i: u32, x: f32) -> StratiformPair {
 fn printed(text: &str, target: Target) -> Result<String, SubsetError> {
     let (head, code) = ("// Head.\n".to_owned(), text.to_owned());
     let library = Library { head, name: "stratiform_x", code, owner: None, glue: None, needs: Vec::new() };
-    translate(&library, target).map(Option::unwrap_or_default)
+    Ok(translate(&library, &[target])?.into_iter().map(|(_, text)| text).collect())
 }
 
 fn texts() -> impl Iterator<Item = (Target, String)> {

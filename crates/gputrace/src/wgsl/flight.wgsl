@@ -1,38 +1,47 @@
 // One scattering and one flight in single precision, the same formulas as the CPU's: sums and products, no division, one square
-// root. A random word u stands for ξ = (u + ½)/2³².
+// root. A random word u stands for ξ = (u + ½)/2³²; a flight takes its azimuth from a word and its path from the lower 22 bits.
 
 const LN_TWO: f32 = 0.6931472;
 // The bits of √½.
 const HALF_ROOT: u32 = 0x3f3504f3u;
 
-// -ln ξ. 2³²ξ = 2ᵏm with m ∈ [√½, √2): -ln ξ = (32-k) ln 2 - ln m.
-fn optical_path(word: u32) -> f32 {
-    // The exponent field counts from √½, and from 2³² instead of 1.
-    let shifted = bitcast<u32>(f32(word) + 0.5) - (HALF_ROOT + (32u << 23u));
+// -ln(x/2ⁿ), n = `bits`. x = 2ᵏm with m ∈ [√½, √2): it is (n-k) ln 2 - ln m.
+fn minus_logarithm(x: f32, bits: u32) -> f32 {
+    // The exponent field counts from √½, and from 2ⁿ instead of 1.
+    let shifted = bitcast<u32>(x) - (HALF_ROOT + (bits << 23u));
     let exponent = f32(bitcast<i32>(shifted) >> 23u);
     let t = bitcast<f32>((shifted & 0x007fffffu) + HALF_ROOT) - 1.0;
-    var series = 0.0895992;
-    series = series * t - 0.1448219;
-    series = series * t + 0.14917377;
-    series = series * t - 0.16543737;
-    series = series * t + 0.19958417;
-    series = series * t - 0.25002947;
-    series = series * t + 0.3333416;
-    series = series * t - 0.4999998;
-    series = series * t + 1.0;
-    return exponent * -LN_TWO - t * series;
+    let square = t * t;
+    var even = 0.161805;
+    even = even * square + 0.19906883;
+    even = even * square + 0.33334714;
+    even = even * square + 1.0;
+    var odd = -0.100823775;
+    odd = odd * square - 0.17243224;
+    odd = odd * square - 0.24971229;
+    odd = odd * square - 0.5000032;
+    return exponent * -LN_TWO - t * (even + t * odd);
 }
 
-// cosψ, ψ uniform: sin πx, with 2³²x the word as a signed number.
+// -ln ξ.
+fn optical_path(word: u32) -> f32 {
+    return minus_logarithm(f32(word) + 0.5, 32u);
+}
+
+// -ln ξ of the lower bits.
+fn flight_path(word: u32) -> f32 {
+    return minus_logarithm(f32(word & 0x3fffffu) + 0.5, 22u);
+}
+
+// cosψ, ψ uniform: sin πy, y = ½ - |ψ/π|, with 2³¹ψ/π the word as a signed number.
 fn azimuth_cosine(word: u32) -> f32 {
-    let x = f32(bitcast<i32>(word)) * 2.3283064365386963e-10;
-    let square = x * x;
-    var series = 0.07722225;
-    series = series * square - 0.5980464;
-    series = series * square + 2.5500317;
-    series = series * square - 5.167707;
-    series = series * square + 3.1415925;
-    return x * series;
+    let y = 0.5 - abs(f32(bitcast<i32>(word)) * 4.656612873077393e-10);
+    let square = y * y;
+    var series = -0.5546345;
+    series = series * square + 2.5418985;
+    series = series * square - 5.1671429;
+    series = series * square + 3.141582;
+    return y * series;
 }
 
 // √ξ: the direction cosine of diffuse light on entering.
@@ -40,15 +49,15 @@ fn diffuse_cosine(word: u32) -> f32 {
     return sqrt((f32(word) + 0.5) * 2.3283064365386963e-10);
 }
 
-// v = 1 - cosΘ. The top 12 bits choose a straight piece (start, slope); where the slope is negative, `start` is the first of 256
+// v = 1 - cosΘ. The top 12 bits choose a straight piece (first, step); where the step is negative, `first` is the index of the first of 256
 // finer ones, which the next 8 bits choose among. The rest of the word is the place in the piece.
 fn sampled(word: u32) -> f32 {
     let piece = table[word >> 20u];
     if (piece.y < 0.0) {
         let part = table[u32(piece.x) + ((word >> 12u) & 0xffu)];
-        return part.x + (f32(word & 0xfffu) + 0.5) * 0.000244140625 * part.y;
+        return part.x + f32(word & 0xfffu) * part.y;
     }
-    return piece.x + (f32(word & 0xfffffu) + 0.5) * 9.5367431640625e-7 * piece.y;
+    return piece.x + f32(word & 0xfffffu) * piece.y;
 }
 
 // The direction cosine after scattering by 1 - cosΘ = v with azimuth cosine `azimuth`.

@@ -149,8 +149,9 @@ fn trace(@builtin(global_invocation_id) id: vec3<u32>) {
                 break;
             }
             let v = sampled(draw(&stream));
-            photon.mu = scattered(photon.mu, v, azimuth_cosine(draw(&stream)));
-            photon.depth += photon.mu * optical_path(draw(&stream));
+            let word = draw(&stream);
+            photon.mu = scattered(photon.mu, v, azimuth_cosine(word));
+            photon.depth += photon.mu * flight_path(word);
             photon.order += 1u;
         }
     }

@@ -29,10 +29,10 @@ impl Cell {
     }
 
     /// The t ∈ \[0, `width`\] at which [`integral`](Self::integral) equals `target`: Newton's method, kept inside a
-    /// bracket that each step shrinks.
+    /// bracket that each step shrinks. It doubles the digits, so that a step of 1e-8 of the way to either end is the last.
     pub(super) fn invert(&self, target: f64, width: f64) -> f64 {
         let (mut low, mut high) = (0.0, width);
-        let mut t = self.first_guess(target).clamp(low, high);
+        let mut t = self.first_guess(target, width).clamp(low, high);
         for _ in 0..60 {
             let excess = self.integral(t) - target;
             if excess > 0.0 {
@@ -40,9 +40,11 @@ impl Cell {
             } else {
                 low = t;
             }
-            let newton = t - excess / ((self.value + self.slope * t) * libm::sin(self.start + t));
+            let newton = t - excess / self.density(t);
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            if (next - t).abs() <= f64::EPSILON * (self.start + t) {
+            let step = (next - t).abs();
+            let short = next == newton && step <= 1e-8 * next.min(width - next);
+            if short || step <= f64::EPSILON * (self.start + t) {
                 return next;
             }
             t = next;
@@ -50,12 +52,16 @@ impl Cell {
         t
     }
 
-    /// The t at which P·Θ-weighted area, with P constant and sinΘ = Θ·const, reaches `target`.
-    fn first_guess(&self, target: f64) -> f64 {
-        let middle = self.start.max(1e-300);
-        let sinc = libm::sin(middle) / middle;
-        let square = self.start * self.start + 2.0 * target / (self.value * sinc);
-        let t = square.sqrt() - self.start;
+    /// P sinΘ.
+    fn density(&self, t: f64) -> f64 {
+        (self.value + self.slope * t) * libm::sin(self.start + t)
+    }
+
+    /// The t at which a density that is linear between the cell's ends has the integral `target`.
+    fn first_guess(&self, target: f64, width: f64) -> f64 {
+        let first = self.density(0.0);
+        let rise = (self.density(width) - first) / width;
+        let t = 2.0 * target / (first + (first * first + 2.0 * target * rise).max(0.0).sqrt());
         if t.is_finite() { t } else { 0.0 }
     }
 }

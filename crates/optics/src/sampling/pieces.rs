@@ -1,15 +1,15 @@
 //! Inversion of a phase function's cumulative by straight pieces in single precision: 32 random bits to v = 1 - cosΘ.
 //!
 //! The top 12 bits of the random word choose one of 4096 intervals of equal probability; the other 20, as a fraction
-//! t = (bits + ½)/2²⁰, the place in it: v = start + t·slope. Each piece keeps the interval's mean of v and
+//! t = (bits + ½)/2²⁰, the place in it: v = start + t·slope, stored as v = first + bits·step. Each piece keeps the interval's mean of v and
 //! stays between the exact v at its ends; it starts (ends) at the exact v where v(ξ) is convex (concave). So
 //! samples are monotone in the word and g is kept, and what is lost is the shape inside 1/4096 of the probability.
 //!
 //! Where a piece would miss its share by more than 1/128 of an interval (next to jumps and gaps of P), the
-//! interval is split into 256 pieces of a second level, chosen by the next 8 bits; t is then the last 12.
+//! interval is split into 256 pieces of a second level, chosen by the next 8 bits; t is then of the last 12.
 //!
 //! Layout of [`LinearPieces::words`], that of a buffer of pairs of f32: word k < 4096 is the piece of interval k,
-//! `start` in the low half, `slope` in the high one. A negative slope marks a split interval: `start` is then the index (a
+//! `first` in the low half, `step` in the high one. A negative step marks a split interval: `first` is then the index (a
 //! whole number) of its first piece of the second level, in the same buffer.
 
 use crate::phase::{PhaseFunction, gauss_legendre};
@@ -25,26 +25,33 @@ const TOLERANCE: f64 = 1.0 / 128.0;
 /// Points at which an interval's mean is taken and its piece is held against the cumulative.
 const POINTS: usize = 4;
 
-/// v = start + t·slope.
+/// v = first + bits·step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Piece {
-    start: f32,
-    slope: f32,
+    first: f32,
+    step: f32,
 }
 
 impl Piece {
+    /// The piece v = start + t·slope whose t has `bits` bits.
+    fn new(start: f64, slope: f64, bits: u32) -> Self {
+        let step = slope / (1_u64 << bits) as f64;
+        Self { first: (start + 0.5 * step) as f32, step: step as f32 }
+    }
+
     fn packed(self) -> u64 {
-        u64::from(self.start.to_bits()) | (u64::from(self.slope.to_bits()) << 32)
+        u64::from(self.first.to_bits()) | (u64::from(self.step.to_bits()) << 32)
     }
 
     #[inline(always)]
     fn unpacked(word: u64) -> Self {
-        Self { start: f32::from_bits(word as u32), slope: f32::from_bits((word >> 32) as u32) }
+        Self { first: f32::from_bits(word as u32), step: f32::from_bits((word >> 32) as u32) }
     }
 
+    /// At the place that the bits of `word` past its top `USED` ones give.
     #[inline(always)]
-    fn at(self, t: f32) -> f32 {
-        self.start + t * self.slope
+    fn at<const USED: u32>(self, word: u32) -> f32 {
+        self.first + rest::<USED>(word) * self.step
     }
 }
 
@@ -63,14 +70,17 @@ impl LinearPieces {
         let mut second = Vec::new();
         let first = Box::new(std::array::from_fn(|k| {
             let from = k as f64 * width;
-            let piece = rule.piece(phase, from, width);
-            if rule.error(phase, from, width, piece) <= TOLERANCE * width {
-                return piece.packed();
+            let line = rule.line(phase, from, width);
+            if rule.error(phase, from, width, line) <= TOLERANCE * width {
+                return Piece::new(line.0, line.1, 32 - INTERVAL_BITS).packed();
             }
             let index = INTERVALS + second.len();
             let part = width / SPLITS as f64;
-            second.extend((0..SPLITS).map(|j| rule.piece(phase, from + j as f64 * part, part).packed()));
-            Piece { start: index as f32, slope: -1.0 }.packed()
+            second.extend((0..SPLITS).map(|j| {
+                let (start, slope) = rule.line(phase, from + j as f64 * part, part);
+                Piece::new(start, slope, 32 - INTERVAL_BITS - SPLIT_BITS).packed()
+            }));
+            Piece { first: index as f32, step: -1.0 }.packed()
         }));
         Self { first, second }
     }
@@ -79,27 +89,29 @@ impl LinearPieces {
     #[inline(always)]
     pub fn sample(&self, bits: u32) -> f32 {
         let piece = Piece::unpacked(self.first[(bits >> (32 - INTERVAL_BITS)) as usize]);
-        if piece.slope < 0.0 { self.split(piece, bits) } else { piece.at(offset::<INTERVAL_BITS>(bits)) }
+        if piece.step < 0.0 { self.split(piece, bits) } else { piece.at::<INTERVAL_BITS>(bits) }
     }
 
     /// The same for many words at once, as loops that vector units can run.
     #[inline(always)]
     pub fn sample_all<const N: usize>(&self, words: &[u32; N]) -> [f32; N] {
+        // Nobody is lent the pieces: only then does the compiler know that the table is not among them, and gathers.
         let mut pieces = [0; N];
         for k in 0..N {
             pieces[k] = self.first[(words[k] >> (32 - INTERVAL_BITS)) as usize];
         }
         let pieces: &[[u32; 2]; N] = bytemuck::cast_ref(&pieces);
-        let mut v = [0.0; N];
+        let (mut v, mut steps) = ([0.0; N], [0; N]);
         let mut signs = 0;
         for k in 0..N {
-            let [start, slope] =
+            let [first, step] =
                 if cfg!(target_endian = "little") { pieces[k] } else { [pieces[k][1], pieces[k][0]] };
-            v[k] = f32::from_bits(start) + offset::<INTERVAL_BITS>(words[k]) * f32::from_bits(slope);
-            signs |= slope;
+            v[k] = f32::from_bits(first) + rest::<INTERVAL_BITS>(words[k]) * f32::from_bits(step);
+            steps[k] = step;
+            signs |= step;
         }
         if (signs as i32) < 0 {
-            self.split_all(pieces, words, &mut v);
+            self.split_all(&steps, words, &mut v);
         }
         v
     }
@@ -107,9 +119,9 @@ impl LinearPieces {
     /// Replaces the samples that fall into split intervals.
     #[cold]
     #[inline(never)]
-    fn split_all(&self, pieces: &[[u32; 2]], words: &[u32], v: &mut [f32]) {
-        for ((piece, &bits), v) in pieces.iter().zip(words).zip(v) {
-            if (piece[0] | piece[1]) >> 31 == 1 {
+    fn split_all(&self, steps: &[u32], words: &[u32], v: &mut [f32]) {
+        for ((step, &bits), v) in steps.iter().zip(words).zip(v) {
+            if step >> 31 == 1 {
                 *v = self.sample(bits);
             }
         }
@@ -118,8 +130,8 @@ impl LinearPieces {
     #[inline]
     fn split(&self, piece: Piece, bits: u32) -> f32 {
         let part = (bits >> (32 - INTERVAL_BITS - SPLIT_BITS)) as usize % SPLITS;
-        let word = self.second[piece.start as usize - INTERVALS + part];
-        Piece::unpacked(word).at(offset::<{ INTERVAL_BITS + SPLIT_BITS }>(bits))
+        let word = self.second[piece.first as usize - INTERVALS + part];
+        Piece::unpacked(word).at::<{ INTERVAL_BITS + SPLIT_BITS }>(bits)
     }
 
     /// Both levels as one buffer; see the module's first lines.
@@ -133,11 +145,10 @@ impl LinearPieces {
     }
 }
 
-/// Where a word lies in its interval, in (0, 1), past its top `USED` bits.
+/// A word past its top `USED` bits.
 #[inline(always)]
-fn offset<const USED: u32>(bits: u32) -> f32 {
-    let rest = (bits & (u32::MAX >> USED)) as i32 as f32;
-    (rest + 0.5) * (1.0 / (1_u64 << (32 - USED)) as f32)
+fn rest<const USED: u32>(word: u32) -> f32 {
+    (word & (u32::MAX >> USED)) as i32 as f32
 }
 
 /// Gauss's points and weights on \[0, 1\].
@@ -148,21 +159,21 @@ impl Rule {
         Self(gauss_legendre(POINTS).iter().map(|(x, w)| (0.5 * (x + 1.0), 0.5 * w)).collect())
     }
 
-    /// The piece of the interval from ξ = `from`.
-    fn piece(&self, phase: &dyn PhaseFunction, from: f64, width: f64) -> Piece {
+    /// Start and slope of the piece of the interval from ξ = `from`.
+    fn line(&self, phase: &dyn PhaseFunction, from: f64, width: f64) -> (f64, f64) {
         let v = |xi: f64| phase.invert(xi.min(1.0 - 0.5 * f64::EPSILON)).clamp(0.0, 2.0);
         let (start, end) = (v(from), v(from + width));
         let terms = self.0.iter().map(|(t, w)| w * v(from + t * width));
         let mean = terms.fold(0.0, |sum, term| sum + term).clamp(start, end.max(start));
         let convex = 2.0 * mean <= start + end;
         let start = if convex { start } else { 2.0 * mean - end };
-        Piece { start: start as f32, slope: (2.0 * (mean - start)) as f32 }
+        (start, 2.0 * (mean - start))
     }
 
-    /// Largest |C(v) - ξ| of `piece` at the points.
-    fn error(&self, phase: &dyn PhaseFunction, from: f64, width: f64, piece: Piece) -> f64 {
+    /// Largest |C(v) - ξ| of a piece at the points.
+    fn error(&self, phase: &dyn PhaseFunction, from: f64, width: f64, (start, slope): (f64, f64)) -> f64 {
         let error = |(t, _): &(f64, f64)| {
-            let v = f64::from(piece.at(*t as f32)).min(2.0);
+            let v = (start + t * slope).min(2.0);
             (phase.cumulative(v) - from - t * width).abs()
         };
         self.0.iter().map(error).fold(0.0, f64::max)

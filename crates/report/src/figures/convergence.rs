@@ -60,7 +60,7 @@ pub fn figure(rows: &[ConvergenceRow]) -> Figure {
         name: "convergence".to_owned(),
         title: "Accuracy of tracers and solver against time".to_owned(),
         caption: "Root mean square, over the angles, thicknesses and orders of convergence.csv, of the error of the \
-                  reflectance (difference from the solver with 128 streams per hemisphere), and of the error that the \
+                  reflectance (difference from the solver with 96 streams per hemisphere), and of the error that the \
                   runs show themselves. Numbers beside points: photons traced, or streams per hemisphere. Time to \
                   prepare the medium is not counted for any. The thicknesses of one half-space run share their photons, \
                   so its points scatter together."

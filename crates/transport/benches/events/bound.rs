@@ -1,11 +1,11 @@
 //! The cost per event of what no tracer of this kind can do without, each as a loop over arrays that the first cache
-//! holds: three random words, a logarithm, a cosine, a table look-up and a square root.
+//! holds: two random words, a logarithm, a cosine, a table look-up and a square root.
 
 use std::hint::black_box;
 use std::time::Instant;
 use stratiform_optics::sampling::LinearPieces;
 use stratiform_transport::Instructions;
-use stratiform_transport::single::{azimuth_cosine, optical_path};
+use stratiform_transport::single::{azimuth_cosine, flight_path};
 
 const N: usize = 128;
 const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
@@ -15,14 +15,14 @@ const MULTIPLIER: u64 = 6_364_136_223_846_793_005;
 pub struct Arrays {
     state: [u64; N],
     increment: [u64; N],
-    words: [[u32; N]; 3],
+    words: [[u32; N]; 2],
     numbers: [f32; N],
 }
 
 impl Arrays {
     fn new() -> Self {
         let hash = |k: usize| (k as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        let words = std::array::from_fn(|row| std::array::from_fn(|k| (hash(3 * k + row) >> 32) as u32));
+        let words = std::array::from_fn(|row| std::array::from_fn(|k| (hash(2 * k + row) >> 32) as u32));
         let (state, increment) = (std::array::from_fn(hash), std::array::from_fn(|k| hash(k + N) | 1));
         Self { state, increment, words, numbers: [0.3; N] }
     }
@@ -30,7 +30,7 @@ impl Arrays {
 
 #[inline(always)]
 fn draw(arrays: &mut Arrays) {
-    for row in 0..3 {
+    for row in 0..2 {
         let halves: &[[u32; 2]; N] = bytemuck::cast_ref(&arrays.state);
         for (word, &[low, high]) in arrays.words[row].iter_mut().zip(halves) {
             *word = (((high << 5) | (low >> 27)) ^ (high >> 13)).rotate_right(high >> 27);
@@ -44,7 +44,7 @@ fn draw(arrays: &mut Arrays) {
 #[inline(always)]
 fn logarithm(arrays: &mut Arrays) {
     for k in 0..N {
-        arrays.numbers[k] = optical_path(arrays.words[0][k]);
+        arrays.numbers[k] = flight_path(arrays.words[0][k]);
     }
 }
 
@@ -95,7 +95,7 @@ fn avx2(part: usize, arrays: &mut Arrays, table: &LinearPieces) {
 }
 
 /// Names of the parts.
-pub const PARTS: [&str; 5] = ["3 words", "logarithm", "cosine", "look-up", "root"];
+pub const PARTS: [&str; 5] = ["2 words", "logarithm", "cosine", "look-up", "root"];
 
 /// ns per event of each part: the fastest of many short runs.
 pub fn measure(instructions: Instructions, table: &LinearPieces) -> [f64; 5] {

@@ -3,7 +3,7 @@
 use super::RadianceRequest;
 use super::request::{orders, row_of};
 use super::rounds;
-use crate::walk::{End, Walk, sunbeam};
+use crate::walk::{End, Walk, sunbeam, tabulated};
 use crate::{Control, TraceMedium, TransportError};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -87,7 +87,7 @@ pub fn trace_radiance_bins(
     control: Control<'_>,
 ) -> Result<BinRadiance, TransportError> {
     request.check(bins.len())?;
-    let walk = Walk { medium, bottom: request.bottom(medium) };
+    let walk = Walk { medium, sampler: tabulated(medium), bottom: request.bottom(medium) };
     let key = key(request.seed, Purpose::RadianceInBins(request.stream));
     let trace = |photons: ops::Range<u64>| {
         let mut hits = vec![0_u64; bins.len() * request.rows()];

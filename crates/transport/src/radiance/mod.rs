@@ -25,6 +25,7 @@ mod bins;
 mod request;
 mod rounds;
 mod score;
+mod viewers;
 mod views;
 
 pub use bins::{AngularBins, BinRadiance, trace_radiance_bins};

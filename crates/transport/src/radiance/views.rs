@@ -4,12 +4,12 @@ use super::RadianceRequest;
 use super::request::{orders, row_of};
 use super::rounds;
 use super::score::Score;
+use super::viewers::{Seen, Viewers};
 use crate::solve::View;
-use crate::walk::{Collision, Walk, sunbeam};
+use crate::walk::{Walk, sunbeam, tabulated};
 use crate::{Control, TraceMedium, TransportError};
-use glam::DVec3;
 use stratiform_optics::phase::{PhaseFunction, versine};
-use stratiform_quantities::{Order, Range, Side};
+use stratiform_quantities::{Order, Range};
 use stratiform_stats::{Estimate, Purpose, key, photon_stream};
 
 /// Events of the largest possible score that the scatter met must exceed before its size is trusted.
@@ -27,12 +27,12 @@ pub fn trace_radiance(
     control: Control<'_>,
 ) -> Result<ViewRadiance, TransportError> {
     check_views(request, views)?;
-    let scene = Scene::new(medium, request, views);
+    let viewers = Viewers::new(views);
     let mut scores = vec![Score::default(); views.len() * request.rows()];
     let fold = |share: Vec<Score>| scores.iter_mut().zip(&share).for_each(|(sum, score)| sum.merge(score));
-    rounds::run(request, control, |photons| scene.trace(photons), fold)?;
+    rounds::run(request, control, |photons| trace(medium, request, &viewers, photons), fold)?;
     Ok(ViewRadiance {
-        largest: largest_events(medium, request, views),
+        largest: largest_events(medium, request, &viewers),
         views: views.to_vec(),
         photons: request.photons,
         max_order: request.max_order,
@@ -58,86 +58,33 @@ fn check(view: &View) -> Result<(), TransportError> {
     Ok(())
 }
 
-/// The directions of flight that reach a viewer at φ and at -φ.
-struct Sight {
-    side: Side,
-    mu: f64,
-    to: DVec3,
-    /// The mirror image, unless it is the same.
-    mirror: Option<DVec3>,
-}
-
-impl Sight {
-    fn new(view: &View) -> Self {
-        let sine = (1.0 - view.mu * view.mu).sqrt();
-        // Beyond 180° mirror images, so that exact multiples of 180° stay in the principal plane.
-        let turned = 180.0 - (view.phi_deg.abs() - 180.0).abs();
-        let phi = turned.to_radians();
-        let z = if view.side == Side::Top { -view.mu } else { view.mu };
-        let across = if turned == 180.0 { 0.0 } else { sine * libm::sin(phi) };
-        let to = DVec3::new(sine * libm::cos(phi), across, z);
-        let mirror = (across != 0.0).then(|| DVec3::new(to.x, -to.y, to.z));
-        Self { side: view.side, mu: view.mu, to, mirror }
+/// Traces a share of photons: views inside orders.
+fn trace(
+    medium: &TraceMedium,
+    request: &RadianceRequest,
+    viewers: &Viewers,
+    photons: std::ops::Range<u64>,
+) -> Vec<Score> {
+    let key = key(request.seed, Purpose::RadianceAtViews(request.stream));
+    let walk = Walk { medium, sampler: tabulated(medium), bottom: request.bottom(medium) };
+    let (views, rows) = (viewers.len(), request.rows());
+    let mut scores = vec![Score::default(); views * rows];
+    let mut photon = vec![0.0; views * rows];
+    let mut seen = Seen::default();
+    for index in photons {
+        let mut rng = photon_stream(key, index);
+        let mut reached = 0;
+        walk.history(sunbeam(request.mu0), &mut rng, |collision| {
+            let row = request.row(collision.order + 1);
+            reached = reached.max(row + 1);
+            let depths = [collision.depth, walk.bottom - collision.depth];
+            viewers.look(medium, collision.direction, depths, &mut seen);
+            let cells = &mut photon[row * views..(row + 1) * views];
+            cells.iter_mut().enumerate().for_each(|(view, sum)| *sum += viewers.score(view, &seen));
+        });
+        enter(&mut photon, &mut scores, reached * views, views);
     }
-
-    /// P towards the viewer, the mean of both azimuths.
-    fn phase(&self, phase: &dyn PhaseFunction, from: DVec3) -> f64 {
-        let towards = |to: DVec3| phase.value((0.5 * (from - to).length_squared()).min(2.0));
-        match self.mirror {
-            None => towards(self.to),
-            Some(mirror) => 0.5 * (towards(self.to) + towards(mirror)),
-        }
-    }
-}
-
-/// A slab, its sun and its viewers.
-struct Scene<'a> {
-    walk: Walk<'a>,
-    request: RadianceRequest,
-    sights: Vec<Sight>,
-    key: u64,
-}
-
-impl<'a> Scene<'a> {
-    fn new(medium: &'a TraceMedium, request: &RadianceRequest, views: &[View]) -> Self {
-        Self {
-            walk: Walk { medium, bottom: request.bottom(medium) },
-            request: *request,
-            sights: views.iter().map(Sight::new).collect(),
-            key: key(request.seed, Purpose::RadianceAtViews(request.stream)),
-        }
-    }
-
-    /// Scores of a share of photons: views inside orders.
-    fn trace(&self, photons: std::ops::Range<u64>) -> Vec<Score> {
-        let (views, rows) = (self.sights.len(), self.request.rows());
-        let mut scores = vec![Score::default(); views * rows];
-        let mut photon = vec![0.0; views * rows];
-        for index in photons {
-            let mut rng = photon_stream(self.key, index);
-            let mut reached = 0;
-            self.walk.history(sunbeam(self.request.mu0), &mut rng, |collision| {
-                let row = self.request.row(collision.order + 1);
-                reached = reached.max(row + 1);
-                self.score(collision, &mut photon[row * views..(row + 1) * views]);
-            });
-            enter(&mut photon, &mut scores, reached * views, views);
-        }
-        scores
-    }
-
-    /// Adds what `collision` sends to every viewer.
-    fn score(&self, collision: &Collision, photon: &mut [f64]) {
-        let (medium, bottom) = (self.walk.medium, self.walk.bottom);
-        let phase = medium.phase().as_ref();
-        for (sight, sum) in self.sights.iter().zip(photon) {
-            let way = if sight.side == Side::Top { collision.depth } else { bottom - collision.depth };
-            let arrives = libm::exp(-way / sight.mu);
-            if arrives > 0.0 {
-                *sum += 0.25 * medium.albedo() / sight.mu * arrives * sight.phase(phase, collision.direction);
-            }
-        }
-    }
+    scores
 }
 
 /// Enters one photon's first `cells` cells, and their sums over orders as the last row; clears them.
@@ -155,16 +102,12 @@ fn enter(photon: &mut [f64], scores: &mut [Score], cells: usize, views: usize) {
     }
 }
 
-/// The largest score of one event: of order 1, where Θ is given, and of any order.
-fn largest_events(medium: &TraceMedium, request: &RadianceRequest, views: &[View]) -> Vec<[f64; 2]> {
-    let phase = medium.phase().as_ref();
-    let peak = largest_value(phase);
-    let event = |view: &View| {
-        let scale = 0.25 * medium.albedo() / view.mu;
-        let once = Sight::new(view).phase(phase, sunbeam(request.mu0));
-        [scale * once, scale * peak.max(once)]
-    };
-    views.iter().map(event).collect()
+/// The largest score of one event at each view: of order 1, where Θ is given, and of any order.
+fn largest_events(medium: &TraceMedium, request: &RadianceRequest, viewers: &Viewers) -> Vec<[f64; 2]> {
+    let mut seen = Seen::default();
+    viewers.look(medium, sunbeam(request.mu0), [0.0; 2], &mut seen);
+    let peak = largest_value(medium.phase().as_ref());
+    (0..viewers.len()).map(|view| [viewers.score(view, &seen), viewers.largest(view, peak, &seen)]).collect()
 }
 
 /// The largest P on a grid that is fine near the forward direction.

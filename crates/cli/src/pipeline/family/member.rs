@@ -3,11 +3,12 @@
 use super::phase::texels;
 use crate::CliError;
 use crate::config::Config;
+use crate::pipeline::cut::Cut;
 use crate::pipeline::fluxes::nodes;
 use crate::pipeline::ladder::loss::{Place, places};
 use crate::pipeline::optics::{ensembles, of_ensemble, optics_error};
 use crate::pipeline::reference::Media;
-use crate::pipeline::{input_error, solved, source};
+use crate::pipeline::{solved, source};
 use stratiform_artifact::{Extinction, FamilyMember, ParametersDocument};
 use stratiform_codegen::ReferencePoint;
 use stratiform_optics::phase::{PhaseFunction, PhaseTable};
@@ -51,11 +52,11 @@ impl Computed {
         }
         let references: Vec<_> = referred.into_iter().map(|one| one.reference).collect();
         let parameters = source::fit(&config, &cloud, &references, crate::pipeline::provenance(&config))?;
-        let modified = cloud.phase.modified(config.optics.theta_f_deg).map_err(input_error)?;
+        let cut = Cut::new(&cloud, config.optics.theta_f_deg)?;
         Ok(Self {
             radius_um,
-            modified_asymmetry: modified.asymmetry(),
-            squared: modified.squared().map_err(input_error)?,
+            modified_asymmetry: cut.wide.asymmetry(),
+            squared: cut.squared,
             full: cloud.phase,
             parameters,
             places: places(&nodes(&config), &tau),

@@ -4,6 +4,7 @@ use super::{LAST, Plane, angles, view};
 use crate::CliError;
 use crate::config::Config;
 use crate::pipeline::curves::{emitted, fluxes};
+use crate::pipeline::cut::Cut;
 use crate::pipeline::optics::Cloud;
 use crate::pipeline::{input_error, radiance};
 use std::path::Path;
@@ -22,14 +23,15 @@ pub(super) struct Models<'a> {
     parameters: &'a ParametersDocument,
     /// Of the fitted radiance model, where the config asks for one.
     coefficients: Option<Coefficients<f64>>,
-    tables: Tables,
+    tables: Tables<'a>,
 }
 
 impl<'a> Models<'a> {
-    /// Tabulates the phase functions; reads the coefficients that an earlier stage left in `dir`.
+    /// Reads the coefficients that an earlier stage left in `dir`.
     pub(super) fn new(
         config: &Config,
-        cloud: &Cloud,
+        cloud: &'a Cloud,
+        cut: &'a Cut,
         parameters: &'a ParametersDocument,
         dir: &Path,
     ) -> Result<Self, CliError> {
@@ -38,7 +40,7 @@ impl<'a> Models<'a> {
             radiance_coefficients(&document).map_err(input_error)
         };
         let coefficients = config.radiance.as_ref().map(read).transpose()?;
-        Ok(Self { parameters, coefficients, tables: Tables::new(config, cloud)? })
+        Ok(Self { parameters, coefficients, tables: Tables { full: &cloud.phase, cut } })
     }
 
     /// Both models' rows of one scene.
@@ -98,30 +100,21 @@ fn exactly(value: f64) -> Estimate {
 }
 
 /// The model's phase functions.
-struct Tables {
-    full: PhaseTable,
-    wide: PhaseTable,
-    squared: PhaseTable,
+struct Tables<'a> {
+    full: &'a PhaseTable,
+    cut: &'a Cut,
 }
 
-impl Tables {
-    fn new(config: &Config, cloud: &Cloud) -> Result<Self, CliError> {
-        let wide = cloud.phase.modified(config.optics.theta_f_deg).map_err(input_error)?;
-        let squared = wide.squared().map_err(input_error)?;
-        Ok(Self { full: cloud.phase.clone(), wide, squared })
-    }
-}
-
-impl PhaseLookup<f64> for Tables {
+impl PhaseLookup<f64> for Tables<'_> {
     fn full(&self, v: f64) -> f64 {
         self.full.value(v)
     }
 
     fn wide(&self, v: f64) -> f64 {
-        self.wide.value(v)
+        self.cut.wide.value(v)
     }
 
     fn wide_squared(&self, v: f64) -> f64 {
-        self.squared.value(v)
+        self.cut.squared.value(v)
     }
 }

@@ -21,10 +21,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use stratiform_quantities::Side;
 
 /// Points per panel: a rule is held against the two before.
-pub(super) const POINTS: [usize; 7] = [3, 4, 6, 9, 14, 21, 32];
+pub(super) const POINTS: [usize; 8] = [2, 3, 4, 6, 9, 14, 21, 32];
 
 /// Widest panel of a phase function with a peak: a rainbow is resolved.
-const WIDEST: f64 = PI / 18.0;
+const WIDEST: f64 = PI / 9.0;
 
 /// The same of one without.
 const WIDEST_SMOOTH: f64 = PI / 4.0;
@@ -33,7 +33,7 @@ const WIDEST_SMOOTH: f64 = PI / 4.0;
 const PEAK: f64 = 0.2;
 
 /// Width of the panels at the horizon.
-const HORIZON: f64 = 1e-3;
+const HORIZON: f64 = 1e-2;
 
 /// Panels at the edge of a hole in P, in units of θ_f.
 const EDGE: f64 = 0.05;

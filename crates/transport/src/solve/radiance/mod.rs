@@ -14,19 +14,23 @@
 //! 0 to 1e6; μ0 and μ from 0 (a limit) to 1, not both 0; ω from 0 to 1. In the modified medium orders count wide
 //! events. Errors: [`TransportError`](crate::TransportError).
 
+mod climb;
 mod depth;
 mod double;
 mod eigen;
 mod elementary;
+mod interpolant;
 mod legendre;
 mod mode;
 mod narrow;
 mod panels;
 mod paths;
 mod phase;
+mod places;
 mod radiances;
 mod response;
 mod scaled;
+mod second;
 mod series;
 mod series_table;
 mod single;

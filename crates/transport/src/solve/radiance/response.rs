@@ -34,7 +34,7 @@ pub(super) struct Ray {
 
 impl<'a> Response<'a> {
     /// τ of the scaled medium.
-    pub(super) fn new(mode: &'a Mode<'a>, tau: f64, suns: &[Ray]) -> Self {
+    pub(super) fn new(mode: &'a Mode<'a>, tau: f64, suns: &[&Ray]) -> Self {
         let least = f64::max(1e-8, 1e-5 / tau.max(1.0));
         let decay: Vec<f64> = mode.decay.rates.iter().map(|k| k.max(least)).collect();
         let (phi, psi) = (&mode.decay.sum, &mode.decay.difference);

@@ -1,0 +1,50 @@
+//! What the photons of a [`Flock`](crate::flock::Flock) did, counted for several tallies side by side.
+//!
+//! Each slab of each tally has one row, and one more row per tally stands for what is below all slabs.
+//! Columns of a row: photons that turned, by order bin; that passed, by order bin; that were absorbed; scatterings
+//! of those that turned or were absorbed; of those that passed.
+
+use crate::tally::Tally;
+
+/// See the module's first lines.
+pub(crate) struct Ledger {
+    bins: usize,
+    columns: usize,
+    counts: Vec<u64>,
+}
+
+impl Ledger {
+    /// Of `rows` rows, with the order bins of `tally`.
+    pub fn new(tally: &Tally, rows: usize) -> Self {
+        let bins = tally.bins;
+        let columns = 2 * bins + 3;
+        Self { bins, columns, counts: vec![0; rows * columns] }
+    }
+
+    /// A photon leaves through the top or the bottom of a slab after `order` scatterings; no branch between them.
+    #[inline(always)]
+    pub fn leave(&mut self, up: bool, row: usize, order: u32) {
+        let (from, side) = (row * self.columns, usize::from(!up));
+        self.counts[from + side * self.bins + (order as usize).min(self.bins - 1)] += 1;
+        self.counts[from + 2 * self.bins + 1 + side] += u64::from(order);
+    }
+
+    /// A photon is absorbed in a slab after `order` scatterings.
+    #[inline(always)]
+    pub fn absorb(&mut self, row: usize, order: u32) {
+        let absorbed = row * self.columns + 2 * self.bins;
+        self.counts[absorbed] += 1;
+        self.counts[absorbed + 1] += u64::from(order);
+    }
+
+    /// Adds everything to the tallies.
+    pub fn close(&self, tallies: &mut [Tally]) {
+        let rows = self.counts.len() / self.columns / tallies.len();
+        for (tally, rows) in tallies.iter_mut().zip(self.counts.chunks_exact(rows * self.columns)) {
+            for (slab, row) in rows.chunks_exact(self.columns).enumerate().take(rows.len() / self.columns - 1)
+            {
+                tally.add_slab(slab, row);
+            }
+        }
+    }
+}
