@@ -96,7 +96,30 @@ impl<'a, R: Real> Launches<'a, R> {
         }
         let paths = self.streams.draw();
         for k in 0..LANES {
-            self.depth.0[k] = self.mu.0[k] * R::optical_path(paths.0[k]);
+            self.depth.0[k] = first_depth(self.mu.0[k], paths.0[k]);
+        }
+    }
+}
+
+/// Depth after the first flight: never -0, which the shortest path would give.
+#[inline(always)]
+fn first_depth<R: Real>(mu: R, bits: u32) -> R {
+    mu * R::optical_path(bits) + R::ZERO
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shortest_first_flight_stays_in_the_slab() {
+        for bits in [u32::MAX, u32::MAX - 100, u32::MAX - 200, 0] {
+            assert!(
+                first_depth(1.0_f32, bits).is_sign_positive() && !first_depth(1.0_f32, bits).is_out(23.0)
+            );
+            assert!(
+                first_depth(1.0_f64, bits).is_sign_positive() && !first_depth(1.0_f64, bits).is_out(23.0)
+            );
         }
     }
 }
