@@ -1,6 +1,6 @@
 //! Results kept on disk under the hash of their inputs.
 //!
-//! An entry is a line with the hash of the rest, then JSON. Whatever does not read back whole (cut short, edited,
+//! Every wavelength has an entry of its own, so that stages share them. An entry is a line with the hash of the rest, then JSON. Whatever does not read back whole (cut short, edited,
 //! of another version) is computed again and replaced; a cache folder that cannot be written is an error.
 
 use crate::OpticsError;
@@ -28,35 +28,46 @@ struct Entry {
     p: Vec<f64>,
 }
 
-/// [`compute`], unless `folder` holds the results of the same inputs.
+/// [`compute`], but for the wavelengths whose results of the same inputs `folder` holds.
 ///
 /// # Errors
 /// As [`compute`], and if `folder` cannot be written.
 pub fn load_or_compute(config: &OpticsConfig, folder: &Path) -> Result<Vec<Ensemble>, OpticsError> {
     config.resolve()?;
-    let path = folder.join(format!("optics-{}.json", config.input_hash()?));
-    if let Some(ensembles) = load(&path) {
-        return Ok(ensembles);
+    let at = |wavelengths_um: Vec<f64>| OpticsConfig { wavelengths_um, ..config.clone() };
+    let path =
+        |wavelength: &f64| Ok(folder.join(format!("optics-{}.json", at(vec![*wavelength]).input_hash()?)));
+    let paths = config.wavelengths_um.iter().map(path).collect::<Result<Vec<_>, OpticsError>>()?;
+    let kept: Vec<Option<Ensemble>> = paths.iter().map(|path| load(path)).collect();
+    let missing = config.wavelengths_um.iter().zip(&kept).filter(|(_, kept)| kept.is_none());
+    let missing: Vec<f64> = missing.map(|(wavelength, _)| *wavelength).collect();
+    if missing.is_empty() {
+        return Ok(kept.into_iter().flatten().collect());
     }
-    let ensembles = compute(config)?;
+    let mut computed = compute(&at(missing))?.into_iter();
     create_folder(folder)?;
-    store(&path, &ensembles)?;
+    let mut ensembles = Vec::with_capacity(kept.len());
+    for (path, kept) in paths.iter().zip(kept) {
+        let new = if kept.is_none() { computed.next() } else { None };
+        if let Some(one) = &new {
+            store(path, one)?;
+        }
+        ensembles.extend(kept.or(new));
+    }
     Ok(ensembles)
 }
 
-fn load(path: &Path) -> Option<Vec<Ensemble>> {
+fn load(path: &Path) -> Option<Ensemble> {
     let text = std::fs::read_to_string(path).ok()?;
     let (hash, body) = text.split_once('\n')?;
     if hash != hash_bytes(body.as_bytes()) {
         return None;
     }
-    let entries: Vec<Entry> = serde_json::from_str(body).ok()?;
-    entries.into_iter().map(Entry::restore).collect()
+    serde_json::from_str::<Entry>(body).ok()?.restore()
 }
 
-fn store(path: &Path, ensembles: &[Ensemble]) -> Result<(), ArtifactError> {
-    let entries: Vec<Entry> = ensembles.iter().map(Entry::of).collect();
-    let body = serde_json::to_string(&entries)
+fn store(path: &Path, ensemble: &Ensemble) -> Result<(), ArtifactError> {
+    let body = serde_json::to_string(&Entry::of(ensemble))
         .map_err(|error| ArtifactError::format(path, None, error.to_string()))?;
     write_atomic(path, format!("{}\n{body}", hash_bytes(body.as_bytes())).as_bytes())
 }

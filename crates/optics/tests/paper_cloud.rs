@@ -123,6 +123,20 @@ fn files_hold_what_was_computed() {
     assert_eq!(std::fs::read_to_string(&entry).unwrap(), intact);
 }
 
+/// Wavelengths are kept one by one: another list takes those that it shares, in its own order.
+#[test]
+fn wavelengths_are_cached_one_by_one() {
+    let dir = tempfile::tempdir().unwrap();
+    let kept = |list: &str| load_or_compute(&config(&C1.replace("0.70", list)), dir.path()).unwrap();
+    let entries = || std::fs::read_dir(dir.path()).unwrap().count();
+    let first = kept("1.6, 2.0");
+    assert_eq!(entries(), 2);
+    let second = kept("2.0, 1.8, 1.6");
+    assert_eq!(entries(), 3);
+    assert_eq!([&second[0], &second[2]], [&first[1], &first[0]]);
+    assert_eq!(second, compute(&config(&C1.replace("0.70", "2.0, 1.8, 1.6"))).unwrap());
+}
+
 /// A golden, copied from this program's own output: not a proof that the numbers are right (the tests above are), but that they
 /// do not change unnoticed, because cached results are handed out for as long as `REVISION` in `config.rs` stays. If this fails
 /// on purpose, raise `REVISION` and replace the numbers.

@@ -59,7 +59,6 @@ impl Circles {
         let sum = sums.at(place);
         amplitude_series(&self.terms, orders, &mut room.series);
         for amplitude in 0..2 {
-            room.points.clear();
             room.points.resize(circle.quarters.len(), ZERO);
             unroll(&room.series[..orders.len() + 2], amplitude, &circle.quarters, &mut room.points);
             circle.fourier.sum(&mut room.points);
@@ -131,8 +130,7 @@ fn amplitude_series(terms: &CosineTerms, orders: &[Term], series: &mut Vec<Term>
     terms.series(orders, series);
 }
 
-/// S1 (`amplitude` 0) or S2 (1) as the terms of a Fourier sum, X_k cos kΘ_m = X_k ½(e^{ikΘ_m} + e^{-ikΘ_m}); `points` come as
-/// zeros.
+/// S1 (`amplitude` 0) or S2 (1) as the terms of a Fourier sum: X_k cos kΘ_m = X_k ½(e^{ikΘ_m} + e^{-ikΘ_m}).
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
 fn unroll(series: &[Term], amplitude: usize, quarters: &[[f64; 2]], points: &mut [Point]) {
     let (own, other) = (2 * amplitude, 2 - 2 * amplitude);
@@ -154,6 +152,7 @@ fn unroll(series: &[Term], amplitude: usize, quarters: &[[f64; 2]], points: &mut
             points[quarters.len() - k] = behind;
         }
     }
+    points[series.len() - 1..quarters.len() + 2 - series.len()].fill(ZERO);
 }
 
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
