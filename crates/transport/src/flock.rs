@@ -52,7 +52,7 @@ impl<'a, R: Real> Flock<'a, R> {
                 .map(|&bottom| if bottom < R::INFINITY { bottom } else { R::ZERO })
                 .collect(),
             bottoms,
-            launches: Launches::new(photons, slabs.len()),
+            launches: Launches::new(photons, slabs),
             lanes: Block::parked(),
             alive: LANES,
         };
@@ -132,11 +132,8 @@ impl<'a, R: Real> Flock<'a, R> {
     #[inline(always)]
     fn launch(&mut self, lane: usize) {
         while let Some(from) = self.launches.next(self.half_space.key, self.half_space.incidence) {
-            let depth = self.launches.depth.0[from];
-            let mut row = self.launches.row.0[from] as usize;
-            if depth >= self.bottoms[row] {
-                row = self.pass(row, depth, 0);
-            }
+            let (depth, row) = (self.launches.depth.0[from], self.launches.row.0[from] as usize);
+            self.ledger.enter(row);
             let limit = self.limits[row];
             if !depth.is_out(limit) {
                 let photon = Photon {

@@ -12,21 +12,21 @@ pub(crate) struct Launches<'a, R> {
     pub streams: Streams,
     pub mu: Row<R>,
     pub depth: Row<R>,
-    /// The first row of its range's counts.
+    /// The row of the ledger in which the first flight ends.
     pub row: Row<u32>,
     index: Row<u64>,
     next: usize,
     ready: usize,
     ranges: &'a [Range<u64>],
-    /// Rows per range.
-    rows: usize,
+    /// Bottoms of the slabs, then infinity: a row of the ledger each, for every range.
+    slabs: Vec<R>,
     /// The present range, and how many of its photons have been prepared.
     range: usize,
     prepared: u64,
 }
 
 impl<'a, R: Real> Launches<'a, R> {
-    pub fn new(ranges: &'a [Range<u64>], rows: usize) -> Self {
+    pub fn new(ranges: &'a [Range<u64>], slabs: Vec<R>) -> Self {
         Self {
             streams: Streams::default(),
             mu: Row([R::ZERO; LANES]),
@@ -36,7 +36,7 @@ impl<'a, R: Real> Launches<'a, R> {
             next: 0,
             ready: 0,
             ranges,
-            rows,
+            slabs,
             range: 0,
             prepared: 0,
         }
@@ -63,7 +63,7 @@ impl<'a, R: Real> Launches<'a, R> {
         while let Some(range) = self.ranges.get(self.range) {
             let (from, free) = (range.start + self.prepared, LANES - self.ready);
             let count = (range.end - from).min(free as u64) as usize;
-            let row = (self.range * self.rows) as u32;
+            let row = (self.range * self.slabs.len()) as u32;
             self.index.0[self.ready..].iter_mut().zip(from..).for_each(|(index, photon)| *index = photon);
             self.row.0[self.ready..].fill(row);
             self.ready += count;
@@ -97,6 +97,11 @@ impl<'a, R: Real> Launches<'a, R> {
         let paths = self.streams.draw();
         for k in 0..LANES {
             self.depth.0[k] = first_depth(self.mu.0[k], paths.0[k]);
+        }
+        for &bottom in &self.slabs {
+            for k in 0..LANES {
+                self.row.0[k] += u32::from(self.depth.0[k] >= bottom);
+            }
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Each slab of each tally has one row, and one more row per tally stands for what is below all slabs.
 //! Columns of a row: photons that turned, by order bin; that passed, by order bin; that were absorbed; scatterings
-//! of those that turned or were absorbed; of those that passed.
+//! of those that turned or were absorbed; of those that passed. First flights are counted by the row where they end.
 
 use crate::tally::Tally;
 
@@ -11,6 +11,7 @@ pub(crate) struct Ledger {
     bins: usize,
     columns: usize,
     counts: Vec<u64>,
+    entered: Vec<u64>,
 }
 
 impl Ledger {
@@ -18,7 +19,13 @@ impl Ledger {
     pub fn new(tally: &Tally, rows: usize) -> Self {
         let bins = tally.bins;
         let columns = 2 * bins + 3;
-        Self { bins, columns, counts: vec![0; rows * columns] }
+        Self { bins, columns, counts: vec![0; rows * columns], entered: vec![0; rows] }
+    }
+
+    /// A photon's first flight ends in `row`, after all slabs above it.
+    #[inline(always)]
+    pub fn enter(&mut self, row: usize) {
+        self.entered[row] += 1;
     }
 
     /// A photon leaves through the top or the bottom of a slab after `order` scatterings; no branch between them.
@@ -39,11 +46,13 @@ impl Ledger {
 
     /// Adds everything to the tallies.
     pub fn close(&self, tallies: &mut [Tally]) {
-        let rows = self.counts.len() / self.columns / tallies.len();
-        for (tally, rows) in tallies.iter_mut().zip(self.counts.chunks_exact(rows * self.columns)) {
-            for (slab, row) in rows.chunks_exact(self.columns).enumerate().take(rows.len() / self.columns - 1)
-            {
-                tally.add_slab(slab, row);
+        let rows = self.entered.len() / tallies.len();
+        let shares = self.counts.chunks_exact(rows * self.columns).zip(self.entered.chunks_exact(rows));
+        for (tally, (counts, entered)) in tallies.iter_mut().zip(shares) {
+            let mut unscattered = 0;
+            for (slab, row) in counts.chunks_exact(self.columns).enumerate().take(rows - 1).rev() {
+                unscattered += entered[slab + 1];
+                tally.add_slab(slab, row, unscattered);
             }
         }
     }

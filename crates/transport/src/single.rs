@@ -27,7 +27,7 @@ const HALF_ROOT: u32 = 0x3f35_04f3;
 const LOGARITHM: [f32; 8] =
     [1.0, -0.500_003_2, 0.333_347_14, -0.249_712_29, 0.199_068_83, -0.172_432_24, 0.161_805, -0.100_823_775];
 /// sin(πy)/y in y², |y| ≤ ½, to 6·10⁻⁷ of the sine, minimax.
-const SINE: [f32; 4] = [3.141_582, -5.167_142_9, 2.541_898_5, -0.554_634_5];
+const SINE: [f32; 4] = [3.141_582, -5.167_143, 2.541_898_5, -0.554_634_5];
 /// The bits of a word that give the path of a flight.
 const PATH_BITS: u32 = 22;
 

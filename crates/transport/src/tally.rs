@@ -65,13 +65,14 @@ impl Tally {
         self.launched += photons;
     }
 
-    /// Adds a row of a [`Ledger`](crate::ledger::Ledger).
-    pub fn add_slab(&mut self, slab: usize, row: &[u64]) {
+    /// Adds a row of a ledger, and the photons that passed without a scattering.
+    pub(crate) fn add_slab(&mut self, slab: usize, row: &[u64], unscattered: u64) {
         let (turned, rest) = row.split_at(self.bins);
         let (passed, rest) = rest.split_at(self.bins);
         let cells = slab * self.bins..(slab + 1) * self.bins;
         sum_into(&mut self.reflected[cells.clone()], turned);
-        sum_into(&mut self.transmitted[cells], passed);
+        sum_into(&mut self.transmitted[cells.clone()], passed);
+        sum_into(&mut self.transmitted[cells], &[unscattered]);
         let sums = [&mut self.absorbed[slab], &mut self.turned[slab], &mut self.passed[slab]];
         sums.into_iter().zip(rest).for_each(|(sum, count)| *sum = sum.saturating_add(*count));
     }
