@@ -171,7 +171,7 @@ fn configs_with_a_fault_name_file_and_line() {
         ("thickness_m = 5.0 }", "thickness_m = -5.0 }", &["principal_plane.scenes.thickness_m = -5"]),
         ("80.0, 90.0]", "80.0]", &["does not run from 0 to 90"]),
         ("max = 1000.0", "max = 1e9", &["fit.thickness_m.max = 1000000000", "LINE"]),
-        ("plain_photons = [1_000", "plain_photons = [1", &["convergence.plain_photons = 1", "LINE"]),
+        ("plain_photons = [300", "plain_photons = [1", &["convergence.plain_photons = 1", "LINE"]),
         ("photons = 1_000_000", "photons = -5", &["LINE"]),
         ("\"paper\"", "\"papper\"", &["papper", "LINE"]),
         ("albedo = 1.0", "albedo = 1.5", &["1.5", "[0, 1]", "LINE"]),

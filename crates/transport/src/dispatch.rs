@@ -44,7 +44,7 @@ impl Kernel {
     ///
     /// Down to it no reflectance or transmittance is off by 10⁻⁵: on the same photons (2²¹ per case; isotropic, Henyey–Greenstein 0.85,
     /// the paper's cloud with and without its forward events; beams of μ0 = 1 to 0.01, diffuse light; ω = 1, 0.9) f32 and f64 differ by
-    /// at most 2.4·10⁻⁶ in any row, 6.1·10⁻⁶ with three standard errors (`cargo run --release -p stratiform-transport --example
+    /// at most 1.9·10⁻⁶ in any row, 4.5·10⁻⁶ with three standard errors (`cargo run --release -p stratiform-transport --example
     /// precision_bias -- 262144 8`).
     pub const SINGLE_DEPTH: f64 = 300.0;
 
