@@ -95,11 +95,8 @@ impl LinearPieces {
     /// The same for many words at once, as loops that vector units can run.
     #[inline(always)]
     pub fn sample_all<const N: usize>(&self, words: &[u32; N]) -> [f32; N] {
-        // Nobody is lent the pieces: only then does the compiler know that the table is not among them, and gathers.
         let mut pieces = [0; N];
-        for k in 0..N {
-            pieces[k] = self.first[(words[k] >> (32 - INTERVAL_BITS)) as usize];
-        }
+        look_up(&self.first, words, &mut pieces);
         let pieces: &[[u32; 2]; N] = bytemuck::cast_ref(&pieces);
         let (mut v, mut steps) = ([0.0; N], [0; N]);
         let mut signs = 0;
@@ -142,6 +139,14 @@ impl LinearPieces {
     /// Share of samples that need the second level.
     pub fn split_share(&self) -> f64 {
         (self.second.len() / SPLITS) as f64 / INTERVALS as f64
+    }
+}
+
+/// The pieces of the first level. By itself, so that the compiler knows that no piece is in the table, and gathers.
+#[inline(always)]
+fn look_up<const N: usize>(first: &[u64; INTERVALS], words: &[u32; N], pieces: &mut [u64; N]) {
+    for k in 0..N {
+        pieces[k] = first[(words[k] >> (32 - INTERVAL_BITS)) as usize];
     }
 }
 
