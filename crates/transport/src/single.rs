@@ -12,9 +12,10 @@
 //!
 //! One word serves both azimuth and path of a flight. At a given path its top ten bits leave the azimuth one of 1024 evenly
 //! spaced ones, whose moments are those of a uniform azimuth up to degree 1023: the two are as good as independent. The
-//! mean path is 1 - 8·10⁻⁸, the mean of its square 2 - 3·10⁻⁶: the midpoint rule of 2²² points.
+//! mean path is 1 - 8·10⁻⁸, the mean of its square 2 - 3·10⁻⁶: the midpoint rule of 2²² points. Double precision uses words in the
+//! same way.
 //!
-//! What this does to fluxes is measured: [`Kernel::SINGLE_DEPTH`](crate::Kernel::SINGLE_DEPTH).
+//! What rounding does to fluxes is measured: [`Kernel::SINGLE_DEPTH`](crate::Kernel::SINGLE_DEPTH).
 //!
 //! μ' may lie beyond ±1 by rounding; the next collision takes (1-μ)(1+μ) < 0 as 0.
 

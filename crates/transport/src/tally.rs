@@ -80,25 +80,17 @@ impl Tally {
     /// A photon leaves through the bottom of slab `thickness` after `order` scatterings.
     #[inline]
     pub fn transmit(&mut self, thickness: usize, order: u32) {
-        self.leave(false, thickness, order);
+        let cell = self.cell(thickness, order);
+        self.transmitted[cell] += 1;
+        self.passed[thickness] += u64::from(order);
     }
 
     /// A photon leaves through the top of slab `first` (if nested, of every slab from there on) after `order` scatterings.
     #[inline]
     pub fn reflect(&mut self, first: usize, order: u32) {
-        self.leave(true, first, order);
-    }
-
-    /// [`reflect`](Self::reflect) or [`transmit`](Self::transmit), without a branch between them.
-    #[inline(always)]
-    pub fn leave(&mut self, up: bool, thickness: usize, order: u32) {
-        let cell = self.cell(thickness, order);
-        let (cells, sums) = match up {
-            true => (&mut self.reflected, &mut self.turned),
-            false => (&mut self.transmitted, &mut self.passed),
-        };
-        cells[cell] += 1;
-        sums[thickness] += u64::from(order);
+        let cell = self.cell(first, order);
+        self.reflected[cell] += 1;
+        self.turned[first] += u64::from(order);
     }
 
     /// A photon is absorbed in slab `first` (if nested, in every slab from there on) after `order` scatterings.
