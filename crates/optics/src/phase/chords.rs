@@ -6,23 +6,26 @@
 //! than (1/1024)⁴·192/24 = 7.3e-12.
 
 use super::cell::Cell;
-use super::guide::Guide;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, SQRT_2};
 
 /// Cells per unit of x, at least.
 const DENSITY: f64 = 512.0;
 
+/// Buckets per unit of x: a power of 2, so that nothing is rounded.
+const BUCKETS: f64 = 4096.0;
+
 /// P by cells in x.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Chords {
-    starts: Vec<f64>,
     pieces: Vec<Piece>,
-    guide: Guide,
+    /// The piece at the lower edge of each bucket.
+    first: Vec<u32>,
 }
 
-/// P = Σ `series`ₙ (x - `middle`)ⁿ.
+/// P = Σ `series`ₙ (x - `middle`)ⁿ below `end`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Piece {
+    end: f64,
     middle: f64,
     series: [f64; 4],
 }
@@ -30,37 +33,49 @@ struct Piece {
 impl Chords {
     /// For the cells of a table with their widths, none of them empty.
     pub(super) fn new(cells: impl Iterator<Item = (Cell, f64)>) -> Self {
-        let (mut starts, mut pieces) = (Vec::new(), Vec::new());
+        let mut pieces = Vec::new();
         for (cell, width) in cells {
             let end = cell.start + width;
             let seam = FRAC_PI_2.clamp(cell.start, end);
             for [low, high] in [[cell.start, seam], [seam, end]].map(|ends| ends.map(half_chord)) {
                 let parts = (DENSITY * (high - low)).ceil();
                 let edge = |part: usize| low + (high - low) * part as f64 / parts;
-                for part in 0..parts as usize {
-                    starts.push(edge(part));
-                    pieces.push(Piece::new(&cell, 0.5 * (edge(part) + edge(part + 1))));
-                }
+                pieces.extend((0..parts as usize).map(|i| Piece::new(&cell, edge(i), edge(i + 1))));
             }
         }
-        let guide = Guide::new(&starts);
-        Self { starts, pieces, guide }
+        // The last piece has no end.
+        pieces.last_mut().iter_mut().for_each(|last| last.end = f64::INFINITY);
+        let first =
+            |bucket: usize| pieces.partition_point(|piece| piece.end <= bucket as f64 / BUCKETS) as u32;
+        let first = (0..=(SQRT_2 * BUCKETS) as usize).map(first).collect();
+        Self { pieces, first }
     }
 
     /// Replaces each v ∈ \[0, 2\] by P; what rounding puts outside is taken to the end.
     pub(super) fn values_at(&self, v: &mut [f64]) {
         half_chords(v);
-        for x in v {
-            let Piece { middle, series } = &self.pieces[self.guide.place(&self.starts, *x)];
-            let t = *x - middle;
-            *x = series[0] + t * (series[1] + t * (series[2] + t * series[3]));
+        v.iter_mut().for_each(|x| *x = self.value(*x));
+    }
+
+    /// P at x. Few buckets hold the ends of two pieces or more.
+    #[inline]
+    fn value(&self, x: f64) -> f64 {
+        // A cast takes NaN to bucket 0.
+        let mut place = self.first[(x * BUCKETS) as usize] as usize;
+        place += usize::from(self.pieces[place].end <= x);
+        while self.pieces[place].end <= x {
+            place += 1;
         }
+        let Piece { middle, series, .. } = &self.pieces[place];
+        let t = x - middle;
+        series[0] + t * (series[1] + t * (series[2] + t * series[3]))
     }
 }
 
 impl Piece {
-    /// Of a `cell` about x = `middle`.
-    fn new(cell: &Cell, middle: f64) -> Self {
+    /// Of a `cell` from `start` to `end`.
+    fn new(cell: &Cell, start: f64, end: f64) -> Self {
+        let middle = 0.5 * (start + end);
         let narrow = middle < FRAC_1_SQRT_2;
         let x = if narrow { middle } else { SQRT_2 - middle };
         let (square, sign) = (1.0 - x * x, if narrow { 1.0 } else { -1.0 });
@@ -69,7 +84,8 @@ impl Piece {
         let first = cell.slope * 2.0 / square.sqrt();
         let second = first * sign * 0.5 * x / square;
         let third = first * (1.0 + 2.0 * x * x) / (6.0 * square * square);
-        Self { middle, series: [cell.value + cell.slope * (theta - cell.start), first, second, third] }
+        let value = cell.value + cell.slope * (theta - cell.start);
+        Self { end, middle, series: [value, first, second, third] }
     }
 }
 

@@ -7,7 +7,7 @@
 const DENSITY: usize = 8;
 
 /// Starting places for one list of nodes.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Guide {
     first: f64,
     /// Buckets per unit of x.
@@ -26,7 +26,6 @@ impl Guide {
     }
 
     /// The last place i with `nodes[i]` ≤ `x`; 0 if there is none, and some place for NaN.
-    #[inline]
     pub(super) fn place(&self, nodes: &[f64], x: f64) -> usize {
         // A cast takes what is below the nodes, and NaN, to bucket 0.
         let bucket = ((x - self.first) * self.scale) as usize;
