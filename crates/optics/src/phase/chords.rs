@@ -14,11 +14,17 @@ const DENSITY: f64 = 512.0;
 /// Buckets per unit of x: a power of 2, so that nothing is rounded.
 const BUCKETS: f64 = 4096.0;
 
+/// More buckets than there are: a power of 2.
+const ALL: usize = 8192;
+
+/// Added to a number below 2⁵², leaves its nearest integer in the last bits.
+const TO_INTEGER: f64 = 4_503_599_627_370_496.0;
+
 /// P by cells in x.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Chords {
     pieces: Vec<Piece>,
-    /// The piece at the lower edge of each bucket.
+    /// The piece at the lower edge of each bucket, half a bucket below its number.
     first: Vec<u32>,
 }
 
@@ -45,9 +51,9 @@ impl Chords {
         }
         // The last piece has no end.
         pieces.last_mut().iter_mut().for_each(|last| last.end = f64::INFINITY);
-        let first =
-            |bucket: usize| pieces.partition_point(|piece| piece.end <= bucket as f64 / BUCKETS) as u32;
-        let first = (0..=(SQRT_2 * BUCKETS) as usize).map(first).collect();
+        let edge = |bucket: usize| (bucket as f64 - 0.5) / BUCKETS;
+        let first = |bucket: usize| pieces.partition_point(|piece| piece.end <= edge(bucket)) as u32;
+        let first = (0..ALL).map(first).collect();
         Self { pieces, first }
     }
 
@@ -60,8 +66,9 @@ impl Chords {
     /// P at x. Few buckets hold the ends of two pieces or more.
     #[inline]
     fn value(&self, x: f64) -> f64 {
-        // A cast takes NaN to bucket 0.
-        let mut place = self.first[(x * BUCKETS) as usize] as usize;
+        // NaN lies in any.
+        let bucket = (x * BUCKETS + TO_INTEGER).to_bits() as usize % ALL;
+        let mut place = self.first[bucket] as usize;
         place += usize::from(self.pieces[place].end <= x);
         while self.pieces[place].end <= x {
             place += 1;
