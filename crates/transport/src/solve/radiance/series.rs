@@ -14,10 +14,10 @@ use super::single::exit;
 use rayon::prelude::*;
 
 /// Modes worked out at once.
-const BATCH: usize = 4;
+const BATCH: usize = 2;
 
 /// Share of the tolerance that counts as nothing.
-pub(super) const NOTHING: f64 = 0.01;
+pub(super) const NOTHING: f64 = 0.03;
 
 /// So many small modes in a row end the series.
 const ENOUGH: usize = 4;
