@@ -70,8 +70,15 @@ impl Nodes {
 #[derive(Clone, Copy)]
 struct Peak {
     theta: f64,
+    sine: f64,
     phi: f64,
     width: f64,
+}
+
+impl Peak {
+    fn new(theta: f64, phi: f64, width: f64) -> Self {
+        Self { theta, sine: libm::sin(theta), phi, width }
+    }
 }
 
 impl Pairing {
@@ -80,17 +87,17 @@ impl Pairing {
         let (sun, view) = (libm::acos(geometry.mu0), geometry.travel());
         let ends = [(sun, 0.0), (view, geometry.phi)];
         let mut peaks: Vec<Peak> =
-            ends.iter().map(|&(theta, phi)| Peak { theta, phi, width: phase.peak }).collect();
+            ends.iter().map(|&(theta, phi)| Peak::new(theta, phi, phase.peak)).collect();
         if let Some(width) = phase.back {
-            peaks.extend(ends.iter().map(|&(theta, phi)| Peak { theta: PI - theta, phi: phi + PI, width }));
+            peaks.extend(ends.iter().map(|&(theta, phi)| Peak::new(PI - theta, phi + PI, width)));
         }
         let (mut down, mut up, mut circle) = (Nodes::default(), Nodes::default(), Circle::default());
         let widest = widest(phase);
         rule.visit([0.0, PI], widest, &across(&peaks, phase.edge), |theta, weight| {
-            let product = circle.around(phase, (&rule, widest), &peaks, theta);
-            let cosine = libm::cos(theta);
+            let (sine, cosine) = libm::sincos(theta);
+            let product = circle.around(phase, (&rule, widest), &peaks, (theta, sine));
             let nodes = if cosine > 0.0 { &mut down } else { &mut up };
-            nodes.push(1.0 / cosine.abs(), weight * libm::sin(theta) * product);
+            nodes.push(1.0 / cosine.abs(), weight * sine * product);
         });
         Self { down, up }
     }
@@ -134,6 +141,8 @@ fn across(peaks: &[Peak], edge: Option<f64>) -> Vec<Break> {
 /// Directions of one zenith angle.
 #[derive(Default)]
 struct Circle {
+    rings: Vec<Ring>,
+    breaks: Vec<Break>,
     azimuths: Vec<f64>,
     weights: Vec<f64>,
     from_sun: Vec<f64>,
@@ -141,27 +150,53 @@ struct Circle {
 }
 
 impl Circle {
-    /// ∫P(Θ1)P(Θ2)dφ' at zenith angle `theta`.
-    fn around(&mut self, phase: &Phase, (rule, widest): (&Rule, f64), peaks: &[Peak], theta: f64) -> f64 {
+    /// ∫P(Θ1)P(Θ2)dφ' at zenith angle `theta`, given with its sine.
+    fn around(
+        &mut self,
+        phase: &Phase,
+        (rule, widest): (&Rule, f64),
+        peaks: &[Peak],
+        theta: (f64, f64),
+    ) -> f64 {
         let view = peaks[1].phi;
         // Sun and view in one plane: both halves are alike.
         let symmetric = view == 0.0 || view == PI;
         let end = if symmetric { PI } else { 2.0 * PI };
-        let rings: Vec<Ring> = peaks.iter().map(|peak| Ring::new(peak.theta, theta)).collect();
+        self.rings.clear();
+        self.rings.extend(peaks.iter().map(|peak| Ring::new(peak, theta)));
+        let widest = widest_around(widest, peaks, theta.1);
+        self.break_around(phase, peaks, [-widest, end + widest]);
         self.azimuths.clear();
         self.weights.clear();
-        let widest = widest_around(widest, peaks, theta);
-        rule.visit([0.0, end], widest, &breaks_around(phase, peaks, &rings), |phi, weight| {
+        rule.visit([0.0, end], widest, &self.breaks, |phi, weight| {
             self.azimuths.push(phi);
             self.weights.push(weight);
         });
         self.from_sun.resize(self.azimuths.len(), 0.0);
         self.to_view.resize(self.azimuths.len(), 0.0);
-        deflections(&self.azimuths, [&rings[0], &rings[1]], view, [&mut self.from_sun, &mut self.to_view]);
+        let rings = [&self.rings[0], &self.rings[1]];
+        deflections(&self.azimuths, rings, view, [&mut self.from_sun, &mut self.to_view]);
         phase.at_each(&mut self.from_sun);
         phase.at_each(&mut self.to_view);
         let sum = weighted_product(&self.weights, &self.from_sun, &self.to_view);
         if symmetric { 2.0 * sum } else { sum }
+    }
+
+    /// Where panels in azimuth end, between `first` and `last`.
+    fn break_around(&mut self, phase: &Phase, peaks: &[Peak], [first, last]: [f64; 2]) {
+        let Self { rings, breaks, .. } = self;
+        breaks.clear();
+        for (peak, ring) in peaks.iter().zip(rings) {
+            let mut near = |phi: f64, least: f64| {
+                let turns = [-2.0 * PI, 0.0, 2.0 * PI].map(|turn| Break { at: phi + turn, least });
+                breaks.extend(turns.into_iter().filter(|turn| turn.at >= first && turn.at <= last));
+            };
+            near(peak.phi, peak.width.max(ring.distance) / ring.radius.sqrt());
+            if let Some(phi) = phase.edge.and_then(|edge| ring.crossing(edge)) {
+                near(peak.phi + phi, f64::INFINITY);
+                near(peak.phi - phi, f64::INFINITY);
+            }
+        }
     }
 }
 
@@ -200,10 +235,12 @@ struct Ring {
 }
 
 impl Ring {
-    fn new(theta: f64, other: f64) -> Self {
-        let sine = libm::sin(0.5 * (theta - other));
-        let radius = (libm::sin(theta) * libm::sin(other)).max(0.0);
-        Self { across: 2.0 * sine * sine, radius, distance: (theta - other).abs() }
+    /// The circle of `theta` and its sine, from a peak's direction.
+    fn new(peak: &Peak, (theta, sine): (f64, f64)) -> Self {
+        let off = peak.theta - theta;
+        let half = libm::sin(0.5 * off);
+        let radius = (peak.sine * sine).max(0.0);
+        Self { across: 2.0 * half * half, radius, distance: off.abs() }
     }
 
     /// 1 - cosΘ at an azimuth whose half has this sine.
@@ -222,23 +259,7 @@ impl Ring {
 }
 
 /// Widest panel in azimuth: Θ changes by less than it, by the sine of either zenith angle.
-fn widest_around(widest: f64, peaks: &[Peak], theta: f64) -> f64 {
-    let farthest = peaks.iter().fold(0.0, |most, peak| f64::max(most, libm::sin(peak.theta)));
-    (widest / libm::sin(theta).min(farthest)).min(WIDEST_SMOOTH).max(widest)
-}
-
-/// Where panels in azimuth end.
-fn breaks_around(phase: &Phase, peaks: &[Peak], rings: &[Ring]) -> Vec<Break> {
-    let mut breaks = Vec::new();
-    for (peak, ring) in peaks.iter().zip(rings) {
-        let mut near = |phi: f64, least: f64| {
-            breaks.extend([-2.0 * PI, 0.0, 2.0 * PI].map(|turn| Break { at: phi + turn, least }));
-        };
-        near(peak.phi, peak.width.max(ring.distance) / ring.radius.sqrt());
-        if let Some(phi) = phase.edge.and_then(|edge| ring.crossing(edge)) {
-            near(peak.phi + phi, f64::INFINITY);
-            near(peak.phi - phi, f64::INFINITY);
-        }
-    }
-    breaks
+fn widest_around(widest: f64, peaks: &[Peak], sine: f64) -> f64 {
+    let farthest = peaks.iter().fold(0.0, |most, peak| f64::max(most, peak.sine));
+    (widest / sine.min(farthest)).min(WIDEST_SMOOTH).max(widest)
 }

@@ -33,14 +33,12 @@ impl Rule {
         breaks: &[Break],
         mut f: impl FnMut(f64, f64),
     ) {
-        let mut ends: Vec<f64> =
-            breaks.iter().map(|b| b.at).filter(|at| *at > start && *at < end).chain([start, end]).collect();
-        ends.sort_by(f64::total_cmp);
-        // Points further away than the widest panel, or that allow it, narrow none.
-        let near = |b: &&Break| b.at > start - widest && b.at < end + widest && b.least < widest;
-        let breaks: Vec<Break> = breaks.iter().filter(near).copied().collect();
-        for pair in ends.windows(2) {
-            self.split([pair[0], pair[1]], widest, &breaks, &mut f);
+        let mut from = start;
+        while from < end {
+            let inside = breaks.iter().map(|point| point.at).filter(|at| *at > from);
+            let to = inside.fold(end, f64::min);
+            self.split([from, to], widest, breaks, &mut f);
+            from = to;
         }
     }
 
