@@ -95,7 +95,7 @@ impl Pairing {
         let widest = widest(phase);
         rule.visit([0.0, PI], widest, &across(&peaks, phase.edge), |theta, weight| {
             let (sine, cosine) = libm::sincos(theta);
-            let product = circle.around(phase, (&rule, widest), &peaks, (theta, sine));
+            let product = circle.around(phase, (rule, widest), &peaks, (theta, sine));
             let nodes = if cosine > 0.0 { &mut down } else { &mut up };
             nodes.push(1.0 / cosine.abs(), weight * sine * product);
         });
@@ -154,7 +154,7 @@ impl Circle {
     fn around(
         &mut self,
         phase: &Phase,
-        (rule, widest): (&Rule, f64),
+        (rule, widest): (Rule, f64),
         peaks: &[Peak],
         theta: (f64, f64),
     ) -> f64 {

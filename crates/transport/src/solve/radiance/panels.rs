@@ -1,6 +1,8 @@
 //! Composite Gauss rules whose panels shrink towards given points.
 
+use super::legendre::gauss;
 use std::f64::consts::SQRT_2;
+use std::sync::LazyLock;
 
 /// A point that panels end at and shrink towards, down to width `least`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,19 +11,23 @@ pub(super) struct Break {
     pub(super) least: f64,
 }
 
+/// Gauss rules of \[0, 1\] with 1 to 32 points.
+static GAUSS: LazyLock<Vec<(Vec<f64>, Vec<f64>)>> = LazyLock::new(|| (1..=32).map(gauss).collect());
+
 /// A Gauss rule of \[0, 1\].
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Rule {
-    points: Vec<f64>,
-    weights: Vec<f64>,
+    points: &'static [f64],
+    weights: &'static [f64],
 }
 
 /// A panel halved until no wider than its distance to a break is half as wide on average; this lets it be as wide.
 const WIDTH: f64 = SQRT_2;
 
 impl Rule {
+    /// The rule of 1 to 32 points.
     pub(super) fn new(points: usize) -> Self {
-        let (points, weights) = super::legendre::gauss(points);
+        let (points, weights) = &GAUSS[points - 1];
         Self { points, weights }
     }
 
@@ -56,7 +62,7 @@ impl Rule {
             self.split([a, middle], widest, breaks, f);
             self.split([middle, b], widest, breaks, f);
         } else {
-            self.points.iter().zip(&self.weights).for_each(|(x, w)| f(a + width * x, width * w));
+            self.points.iter().zip(self.weights).for_each(|(x, w)| f(a + width * x, width * w));
         }
     }
 }
