@@ -54,8 +54,8 @@ impl Rule {
             return;
         }
         let allowed = breaks.iter().fold(widest, |allowed, point| {
-            let distance = (a - point.at).max(point.at - b).max(0.0);
-            allowed.min(distance.max(point.least))
+            let distance = larger(larger(a - point.at, point.at - b), point.least);
+            if distance < allowed { distance } else { allowed }
         });
         if width > WIDTH * allowed {
             let middle = 0.5 * (a + b);
@@ -65,6 +65,11 @@ impl Rule {
             self.points.iter().zip(self.weights).for_each(|(x, w)| f(a + width * x, width * w));
         }
     }
+}
+
+/// Without a NaN's detours.
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 #[cfg(test)]
