@@ -1,9 +1,9 @@
 //! The azimuth series of one number of streams: light scattered three times or more.
 //!
 //! Σ(2-δ_m0) cos mφ of the modes' responses. Orders 1 and 2, the slowly converging part, are exact and stand elsewhere,
-//! so the series of a sun and a view ends early: when four modes in a row, at every thickness asked for, add less than a share of the
-//! tolerance (one or two may vanish by parity at the horizon or at a zero of a Legendre function). A mode serves all suns, views and
-//! thicknesses. Modes are worked out in batches of fixed size, in parallel, and added in order.
+//! so a place's series ends early: when four modes in a row add less than a share of the tolerance (one or two may vanish by parity
+//! at the horizon or at a zero of a Legendre function). A mode serves all places whose series goes on. Modes are worked out in
+//! batches of fixed size, in parallel, and added in order.
 
 use super::depth::{Exit, Vias};
 use super::mode::{Mode, Streams};
@@ -26,8 +26,8 @@ const ENOUGH: usize = 4;
 pub(super) fn beyond_twice(medium: &Scaled, count: usize, places: &[Place], tolerance: f64) -> Vec<f64> {
     let streams = Streams::new(count);
     let rates: Vec<f64> = streams.mu.iter().map(|mu| 1.0 / mu).collect();
-    let pairs = places.iter().map(|place| place.pair + 1).max().unwrap_or(0);
-    let mut ends = vec![End::default(); pairs];
+    // Small modes in a row.
+    let mut small = vec![0; places.len()];
     let mut sums = vec![0.0; places.len()];
     let mut open: Vec<Way> =
         places.par_iter().enumerate().map(|(i, place)| Way::new(i, place, medium, &rates)).collect();
@@ -38,15 +38,14 @@ pub(super) fn beyond_twice(medium: &Scaled, count: usize, places: &[Place], tole
         for (m, terms) in batch.iter().zip(terms) {
             let factor = if *m == 0 { 1.0 } else { 2.0 };
             for (way, term) in open.iter().zip(&terms) {
-                let end = &mut ends[way.pair];
-                if !end.reached() {
+                let small = &mut small[way.place];
+                if *small < ENOUGH {
                     sums[way.place] += factor * term * libm::cos(*m as f64 * way.phi);
-                    end.see(factor * term);
+                    *small = if factor * term.abs() <= NOTHING * tolerance { *small + 1 } else { 0 };
                 }
             }
-            ends.iter_mut().for_each(|end| end.count(NOTHING * tolerance));
         }
-        open.retain(|way| !ends[way.pair].reached());
+        open.retain(|way| small[way.place] < ENOUGH);
         if open.is_empty() {
             break;
         }
@@ -54,39 +53,11 @@ pub(super) fn beyond_twice(medium: &Scaled, count: usize, places: &[Place], tole
     sums
 }
 
-/// Whether the series of a sun and a view has ended.
-#[derive(Clone, Default)]
-struct End {
-    /// The largest term of this mode.
-    most: f64,
-    /// Small modes in a row.
-    small: usize,
-}
-
-impl End {
-    fn see(&mut self, term: f64) {
-        // A NaN is no small term.
-        self.most = if term.is_finite() { self.most.max(term.abs()) } else { f64::INFINITY };
-    }
-
-    fn count(&mut self, nothing: f64) {
-        if !self.reached() {
-            self.small = if self.most <= nothing { self.small + 1 } else { 0 };
-        }
-        self.most = 0.0;
-    }
-
-    fn reached(&self) -> bool {
-        self.small == ENOUGH
-    }
-}
-
 /// A place with what all its modes share: the way out, and the depth integrals of the streams.
 struct Way {
     place: usize,
     tau: f64,
     sun: usize,
-    pair: usize,
     mu0: f64,
     mu: f64,
     phi: f64,
@@ -102,7 +73,6 @@ impl Way {
             place,
             tau: of.tau,
             sun: of.sun,
-            pair: of.pair,
             mu0: of.geometry.mu0,
             mu: of.geometry.mu,
             phi: of.geometry.phi,
