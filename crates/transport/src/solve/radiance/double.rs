@@ -35,6 +35,9 @@ const PEAK: f64 = 0.2;
 /// Width of the panels at the horizon.
 const HORIZON: f64 = 1e-2;
 
+/// Sums side by side.
+const LANES: usize = 8;
+
 /// Panels at the edge of a hole in P, in units of θ_f.
 const EDGE: f64 = 0.05;
 
@@ -56,6 +59,13 @@ impl Nodes {
     fn push(&mut self, rate: f64, weight: f64) {
         self.rates.push(rate);
         self.weights.push(weight * rate);
+    }
+
+    /// Fills up a processor's lanes with nodes that weigh nothing.
+    fn fill(&mut self) {
+        let full = self.rates.len().next_multiple_of(LANES);
+        self.rates.resize(full, 1.0);
+        self.weights.resize(full, 0.0);
     }
 
     /// Σ weight · depth integral, which `via` puts in the place of rates.
@@ -99,6 +109,8 @@ impl Pairing {
             let nodes = if cosine > 0.0 { &mut down } else { &mut up };
             nodes.push(1.0 / cosine.abs(), weight * sine * product);
         });
+        down.fill();
+        up.fill();
         Self { down, up }
     }
 
@@ -212,11 +224,11 @@ fn deflections(azimuths: &[f64], rings: [&Ring; 2], view: f64, found: [&mut [f64
     }
 }
 
-/// Σ abc in eight lanes.
+/// Σ abc in lanes.
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
 fn weighted_product(a: &[f64], b: &[f64], c: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
-    for ((a, b), c) in a.chunks(8).zip(b.chunks(8)).zip(c.chunks(8)) {
+    let mut lanes = [0.0; LANES];
+    for ((a, b), c) in a.chunks(LANES).zip(b.chunks(LANES)).zip(c.chunks(LANES)) {
         for (lane, ((a, b), c)) in lanes.iter_mut().zip(a.iter().zip(b).zip(c)) {
             *lane += a * b * c;
         }

@@ -84,7 +84,10 @@ impl Narrow {
         let scale = medium.albedo / (1.0 - medium.forward);
         // The last is the unscattered beam's.
         let narrow = |chi: &[f64], less: f64| -> Vec<f64> {
-            chi[resolved..].iter().chain([&0.0]).map(|chi| scale * (chi - less)).collect()
+            let mut moments = Vec::with_capacity(chi.len() - resolved + 1);
+            moments.extend(chi[resolved..].iter().map(|chi| scale * (chi - less)));
+            moments.push(-scale * less);
+            moments
         };
         let mut moments = narrow(&self.all, medium.forward);
         match geometry.side {
