@@ -70,7 +70,8 @@ impl<'a, R: Real> Flock<'a, R> {
             if self.alive == 0 || step % PATIENCE == PATIENCE - 1 && control.is_cancelled() {
                 return;
             }
-            let events = self.lanes.collide_and_fly(self.table, self.half_space.absorbs_from);
+            let events =
+                self.lanes.collide_and_fly(self.table, self.half_space.absorbs_from, self.half_space.most);
             self.settle_all(events);
         }
     }

@@ -93,11 +93,11 @@ impl<R: Real> Block<R> {
     }
 
     /// One collision and the flight after it in every lane. A collision absorbs where its random word is not below
-    /// `absorbs_from`.
+    /// `absorbs_from`, and where the photon has had `most` scatterings.
     #[inline(always)]
-    pub fn collide_and_fly(&mut self, table: &R::Table, absorbs_from: u64) -> Events {
+    pub fn collide_and_fly(&mut self, table: &R::Table, absorbs_from: u64, most: u32) -> Events {
         self.steps = self.steps.wrapping_add(1);
-        let absorbed = self.absorb(absorbs_from);
+        let absorbed = self.absorb(absorbs_from) | self.beyond(most);
         let angles = Row(R::sample(table, &self.streams.draw().0));
         let words = self.streams.draw();
         let mut paths = Row([R::ZERO; LANES]);
@@ -119,6 +119,15 @@ impl<R: Real> Block<R> {
         }
         let words = self.streams.draw();
         gathered(|k| words.0[k] >= absorbs_from as u32)
+    }
+
+    /// The lanes whose photon had `most` scatterings before this collision; none if that is the largest number.
+    #[inline(always)]
+    fn beyond(&self, most: u32) -> Mask {
+        if most == u32::MAX {
+            return 0;
+        }
+        gathered(|k| self.steps.wrapping_sub(self.born.0[k]) > most)
     }
 
     /// The lanes whose photon is above the top or below its bottom.

@@ -17,6 +17,7 @@ pub mod hemisphere;
 pub mod ladder;
 mod notes;
 pub mod optics;
+mod photons;
 mod principal_plane;
 mod published;
 mod quadrature;
