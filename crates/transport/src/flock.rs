@@ -5,7 +5,7 @@
 
 use crate::Control;
 use crate::half_space::HalfSpace;
-use crate::lanes::{Block, Events, LANES, Photon, lane_of};
+use crate::lanes::{Block, Events, LANES, LanesOf, Photon};
 use crate::launches::Launches;
 use crate::ledger::Ledger;
 use crate::real::Real;
@@ -70,23 +70,18 @@ impl<'a, R: Real> Flock<'a, R> {
             if self.alive == 0 || step % PATIENCE == PATIENCE - 1 && control.is_cancelled() {
                 return;
             }
-            let events =
-                self.lanes.collide_and_fly(self.table, self.half_space.absorbs_from, self.half_space.most);
+            let events = self.lanes.collide_and_fly(self.table, self.half_space.absorbs_from);
             self.settle_all(events);
         }
     }
 
     #[inline(always)]
     fn settle_all(&mut self, events: Events) {
-        let mut absorbed = events.absorbed;
-        while absorbed != 0 {
-            self.absorb(lane_of(absorbed.trailing_zeros()) % LANES);
-            absorbed &= absorbed - 1;
+        for lane in LanesOf(events.absorbed) {
+            self.absorb(lane);
         }
-        let mut left = events.left;
-        while left != 0 {
-            self.settle(lane_of(left.trailing_zeros()) % LANES);
-            left &= left - 1;
+        for lane in LanesOf(events.left) {
+            self.settle(lane);
         }
     }
 

@@ -9,7 +9,7 @@
 use crate::dispatch::{Job, dispatch};
 use crate::run::{Estimator, run};
 use crate::tally::Tally;
-use crate::{Control, FirstOrders, Kernel, TraceMedium, TraceRequest, Traced, TransportError};
+use crate::{Control, Extent, Fluxes, Kernel, TraceMedium, TraceRequest, Traced, TransportError};
 use std::ops::Range;
 use stratiform_quantities::Incidence;
 use stratiform_stats::{Purpose, key};
@@ -39,21 +39,21 @@ pub fn trace_half_space_with(
     run(medium, request, control, |medium, request, tau| HalfSpace::new(kernel, medium, request, tau))
 }
 
-/// The same for the orders up to the request's `max_order` alone: a photon that would be scattered once more is left.
-/// Photons of these orders are those of [`trace_half_space`].
+/// The same photons' fluxes alone, as far as `extent` says: faster, the more slabs the better.
 ///
 /// # Errors
 /// As [`trace_half_space`].
-pub fn trace_first_orders(
+pub fn trace_fluxes(
     medium: &TraceMedium,
     request: &TraceRequest,
+    extent: Extent,
     control: Control<'_>,
-) -> Result<FirstOrders, TransportError> {
-    let build = |medium, request: &TraceRequest, tau: &[f64]| HalfSpace {
-        most: request.max_order,
+) -> Result<Fluxes, TransportError> {
+    let traced = run(medium, request, control, |medium, request, tau| HalfSpace {
+        fluxes: Some(extent),
         ..HalfSpace::new(Kernel::default(), medium, request, tau)
-    };
-    run(medium, request, control, build).map(FirstOrders::new)
+    })?;
+    Ok(Fluxes::new(traced, extent))
 }
 
 /// The half space with the depths at which something is counted, in its own extinction.
@@ -65,9 +65,9 @@ pub(crate) struct HalfSpace<'a> {
     pub incidence: Incidence,
     /// A collision absorbs where its random word is not below this: ω to within 1.2·10⁻¹⁰.
     pub absorbs_from: u64,
-    /// A photon that has had so many scatterings ends at its next collision as if absorbed; none does at the largest number.
-    pub most: u32,
     pub key: u64,
+    /// Whether fluxes alone are counted, and how far.
+    pub fluxes: Option<Extent>,
 }
 
 impl<'a> HalfSpace<'a> {
@@ -78,8 +78,8 @@ impl<'a> HalfSpace<'a> {
             bottoms: tau.iter().map(|tau| tau * medium.extinction()).collect(),
             incidence: request.incidence,
             absorbs_from: (medium.albedo() * 4_294_967_296.0).round() as u64,
-            most: u32::MAX,
             key: key(request.seed, Purpose::HalfSpaceTracer(request.stream)),
+            fluxes: None,
         }
     }
 }

@@ -83,6 +83,19 @@ impl<R: Real> Block<R> {
         self.steps.wrapping_sub(self.born.0[lane])
     }
 
+    /// The photon in `lane`, to go on as if it had had no scattering yet, in the row `row`.
+    #[inline(always)]
+    pub fn photon(&self, lane: usize, row: u32) -> Photon<R> {
+        Photon {
+            state: self.streams.state.0[lane],
+            increment: self.streams.increment.0[lane],
+            mu: self.mu.0[lane],
+            depth: self.depth.0[lane],
+            bottom: self.bottom.0[lane],
+            row,
+        }
+    }
+
     pub fn is_parked(&self, lane: usize) -> bool {
         self.bottom.0[lane] == R::INFINITY
     }
@@ -93,11 +106,11 @@ impl<R: Real> Block<R> {
     }
 
     /// One collision and the flight after it in every lane. A collision absorbs where its random word is not below
-    /// `absorbs_from`, and where the photon has had `most` scatterings.
+    /// `absorbs_from`.
     #[inline(always)]
-    pub fn collide_and_fly(&mut self, table: &R::Table, absorbs_from: u64, most: u32) -> Events {
+    pub fn collide_and_fly(&mut self, table: &R::Table, absorbs_from: u64) -> Events {
         self.steps = self.steps.wrapping_add(1);
-        let absorbed = self.absorb(absorbs_from) | self.beyond(most);
+        let absorbed = self.absorb(absorbs_from);
         let angles = Row(R::sample(table, &self.streams.draw().0));
         let words = self.streams.draw();
         let mut paths = Row([R::ZERO; LANES]);
@@ -121,18 +134,9 @@ impl<R: Real> Block<R> {
         gathered(|k| words.0[k] >= absorbs_from as u32)
     }
 
-    /// The lanes whose photon had `most` scatterings before this collision; none if that is the largest number.
-    #[inline(always)]
-    fn beyond(&self, most: u32) -> Mask {
-        if most == u32::MAX {
-            return 0;
-        }
-        gathered(|k| self.steps.wrapping_sub(self.born.0[k]) > most)
-    }
-
     /// The lanes whose photon is above the top or below its bottom.
     #[inline(always)]
-    fn left(&self) -> Mask {
+    pub fn left(&self) -> Mask {
         gathered(|k| self.depth.0[k].is_out(self.bottom.0[k]))
     }
 }
@@ -184,13 +188,58 @@ fn output(halves: [u32; 2]) -> u32 {
 
 /// The lane of a mask's bit.
 #[inline(always)]
-pub(crate) fn lane_of(bit: u32) -> usize {
+fn lane_of(bit: u32) -> usize {
     ((bit % 8) * 16 + bit / 8) as usize
+}
+
+/// The lanes of a mask, one after the other.
+pub(crate) struct LanesOf(pub Mask);
+
+impl Iterator for LanesOf {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        if self.0 == 0 {
+            return None;
+        }
+        let bit = self.0.trailing_zeros();
+        self.0 &= self.0 - 1;
+        Some(lane_of(bit) % LANES)
+    }
+}
+
+/// Some lanes, each once.
+pub(crate) struct LaneList {
+    lanes: [u8; LANES],
+    count: usize,
+}
+
+impl LaneList {
+    pub fn all() -> Self {
+        Self { lanes: std::array::from_fn(|lane| lane as u8), count: LANES }
+    }
+
+    pub fn none() -> Self {
+        Self { count: 0, ..Self::all() }
+    }
+
+    #[inline(always)]
+    pub fn push(&mut self, lane: usize) {
+        self.lanes[self.count % LANES] = lane as u8;
+        self.count += 1;
+    }
+
+    #[inline(always)]
+    pub fn pop(&mut self) -> Option<usize> {
+        self.count = self.count.checked_sub(1)?;
+        Some(usize::from(self.lanes[self.count % LANES]) % LANES)
+    }
 }
 
 /// The mask of the lanes for which `flag` is true: lane 16i + j is bit i of byte j, so that vectors can add it up.
 #[inline(always)]
-fn gathered(flag: impl Fn(usize) -> bool) -> Mask {
+pub(crate) fn gathered(flag: impl Fn(usize) -> bool) -> Mask {
     let mut flags = [[0_u8; 16]; 8];
     for (lane, one) in flags.as_flattened_mut().iter_mut().enumerate() {
         *one = u8::from(flag(lane));

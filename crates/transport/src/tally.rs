@@ -100,6 +100,21 @@ impl Tally {
         self.turned[first] += u64::from(order);
     }
 
+    /// So many photons pass slab `thickness` after `order` scatterings, which are not counted.
+    #[inline]
+    pub(crate) fn pass(&mut self, thickness: usize, order: u32, photons: u64) {
+        let cell = self.cell(thickness, order);
+        self.transmitted[cell] += photons;
+    }
+
+    /// Adds photons of the tail: those that pass slab `slab`, and those that turn or are absorbed in it and not above.
+    pub(crate) fn add_tail(&mut self, slab: usize, passed: u64, turned: u64, absorbed: u64) {
+        let tail = self.cell(slab, u32::MAX);
+        self.transmitted[tail] += passed;
+        self.reflected[tail] += turned;
+        self.absorbed[slab] += absorbed;
+    }
+
     /// Adds the counts of other photons.
     pub(crate) fn add(&mut self, other: &Self) {
         self.launched = self.launched.saturating_add(other.launched);

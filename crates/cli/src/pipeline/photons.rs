@@ -1,28 +1,19 @@
 //! Fluxes from photons: the Monte Carlo reference of a fit, and the witness of a solved one.
 
-use super::fluxes::{Covariance, IncidenceFluxes, MAX_ORDER, MediumFluxes, Referred};
+use super::fluxes::{Covariance, IncidenceFluxes, MediumFluxes, Referred};
 use super::reference::{AtIncidence, Media, Plan};
 use crate::CliError;
 use crate::config::Config;
 use stratiform_quantities::{Medium, Order};
-use stratiform_transport::{
-    Control, FirstOrders, Quantity, TraceRequest, Traced, TransportError, trace_first_orders,
-    trace_half_space,
-};
+use stratiform_transport::{Extent, Fluxes, Quantity, trace_fluxes};
 
-/// How far photons are followed.
+/// Which fluxes are wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extent {
-    /// Until they leave: every order and the totals of both media.
+pub enum Wanted {
+    /// Every order and the totals of both media.
     All,
-    /// As far as the fit asks: in a medium whose totals are not fitted, to order [`MAX_ORDER`].
+    /// What is fitted: of a medium whose totals are not, the orders up to [`MAX_ORDER`](super::fluxes::MAX_ORDER).
     Fitted,
-}
-
-/// One medium's photons.
-enum Photons {
-    All(Traced),
-    First(FirstOrders),
 }
 
 /// Traces `plan`; `progress` sees the photons done so far.
@@ -33,56 +24,21 @@ pub fn trace(
     config: &Config,
     media: &Media,
     plan: &Plan,
-    extent: Extent,
+    wanted: Wanted,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Vec<Referred>, CliError> {
-    let one = |medium: Medium, request: &TraceRequest, control: Control<'_>| {
-        let all = extent == Extent::All || medium == config.transport.totals_medium;
-        Photons::trace(all, media, medium, request, control)
+    let extent = |medium| match wanted {
+        Wanted::Fitted if medium != config.transport.totals_medium => Extent::ListedOrders,
+        _ => Extent::ToTheEnd,
     };
-    plan.trace(progress, one)?.iter().map(|traced| referred(config, &plan.tau, traced)).collect()
-}
-
-impl Photons {
-    fn trace(
-        all: bool,
-        media: &Media,
-        medium: Medium,
-        request: &TraceRequest,
-        control: Control<'_>,
-    ) -> Result<Self, TransportError> {
-        let medium = media.get(medium);
-        match all {
-            true => trace_half_space(medium, request, control).map(Self::All),
-            false => trace_first_orders(medium, request, control).map(Self::First),
-        }
-    }
-
-    fn fluxes(&self) -> MediumFluxes {
-        match self {
-            Self::All(traced) => {
-                let rows = Order::rows(MAX_ORDER).collect();
-                MediumFluxes::new(rows, traced.tau().len(), |k, order| Some(traced.estimate(k, order)))
-            }
-            Self::First(traced) => {
-                let rows = (0..=MAX_ORDER).map(Order::Exactly).collect();
-                MediumFluxes::new(rows, traced.tau().len(), |k, order| traced.estimate(k, order))
-            }
-        }
-    }
-
-    fn covariance(&self, quantities: &[(usize, Quantity)]) -> Result<Vec<f64>, CliError> {
-        let covariance = match self {
-            Self::All(traced) => Some(traced.covariance(quantities)),
-            Self::First(traced) => traced.covariance(quantities),
-        };
-        let missing = || CliError::Failed("a flux that is fitted was not traced".to_owned());
-        Ok(covariance.ok_or_else(missing)?.concat())
-    }
+    let traced = plan.trace(progress, |medium, request, control| {
+        trace_fluxes(media.get(medium), request, extent(medium), control)
+    })?;
+    traced.iter().map(|traced| referred(config, &plan.tau, traced)).collect()
 }
 
 /// All that other stages need of one incidence; the covariance is that of batch means.
-fn referred(config: &Config, tau: &[f64], traced: &AtIncidence<Photons>) -> Result<Referred, CliError> {
+fn referred(config: &Config, tau: &[f64], traced: &AtIncidence<Fluxes>) -> Result<Referred, CliError> {
     let all = |quantity| (0..tau.len()).map(move |k| (k, quantity)).collect::<Vec<_>>();
     let each = [
         Quantity::Transmittance(Order::Exactly(1)),
@@ -90,13 +46,21 @@ fn referred(config: &Config, tau: &[f64], traced: &AtIncidence<Photons>) -> Resu
         Quantity::Reflectance(Order::Exactly(1)),
         Quantity::Reflectance(Order::Exactly(2)),
     ];
-    let of = |medium| traced.get(medium);
-    let covariance = Covariance {
-        t_ms: of(config.transport.totals_medium).covariance(&all(Quantity::Transmittance(Order::Total)))?,
-        orders: of(config.transport.orders_medium)
-            .covariance(&each.into_iter().flat_map(all).collect::<Vec<_>>())?,
+    let covariance = |medium, quantities: Vec<_>| {
+        let known = traced.get(medium).covariance(&quantities);
+        known
+            .map(|rows| rows.concat())
+            .ok_or_else(|| CliError::Failed("a fitted flux was not traced".to_owned()))
     };
-    let [full, modified] = [Medium::Full, Medium::Modified].map(|medium| of(medium).fluxes());
+    let transport = &config.transport;
+    let covariance = Covariance {
+        t_ms: covariance(transport.totals_medium, all(Quantity::Transmittance(Order::Total)))?,
+        orders: covariance(transport.orders_medium, each.into_iter().flat_map(all).collect())?,
+    };
+    let [full, modified] = [Medium::Full, Medium::Modified].map(|medium| {
+        let fluxes = traced.get(medium);
+        MediumFluxes::new(fluxes.orders(), tau.len(), |k, order| fluxes.estimate(k, order))
+    });
     IncidenceFluxes { row: traced.row.clone(), tau: tau.to_vec(), full, modified }
         .referred(config, covariance)
 }

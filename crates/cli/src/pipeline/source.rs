@@ -2,7 +2,7 @@
 
 use super::fluxes::{Referred, between, nodes};
 use super::optics::Cloud;
-use super::photons::{self, Extent};
+use super::photons::{self, Wanted};
 use super::reference::{Media, Plan};
 use super::{input_error, solved};
 use crate::CliError;
@@ -150,7 +150,7 @@ fn traced(config: &Config, cloud: &Cloud, media: &Media, talk: Talk) -> Result<[
     let [photons, photons_between, seed] = config.transport.photons_and_seed_of_trace()?;
     let at_nodes = Plan::nodes(config, cloud, photons, seed);
     let half_way = Plan::between(config, cloud, photons_between, seed);
-    let trace = |plan| trace(config, media, plan, Extent::All, talk);
+    let trace = |plan| trace(config, media, plan, Wanted::All, talk);
     Ok([trace(&at_nodes)?, trace(&half_way)?])
 }
 
@@ -164,18 +164,18 @@ fn traced_at_nodes(
     let Some((photons, seed)) = config.transport.photons.zip(config.transport.seed) else {
         return Ok(Vec::new());
     };
-    trace(config, media, &Plan::nodes(config, cloud, photons, seed), Extent::Fitted, talk)
+    trace(config, media, &Plan::nodes(config, cloud, photons, seed), Wanted::Fitted, talk)
 }
 
 fn trace(
     config: &Config,
     media: &Media,
     plan: &Plan,
-    extent: Extent,
+    wanted: Wanted,
     talk: Talk,
 ) -> Result<Vec<Referred>, CliError> {
     let bar = progress::bar(plan.histories(), "photons", talk.quiet);
-    let referred = photons::trace(config, media, plan, extent, &|done| bar.set_position(done));
+    let referred = photons::trace(config, media, plan, wanted, &|done| bar.set_position(done));
     bar.finish_and_clear();
     referred
 }

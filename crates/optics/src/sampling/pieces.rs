@@ -116,8 +116,7 @@ impl LinearPieces {
     }
 
     /// Replaces the samples that fall into split intervals.
-    #[cold]
-    #[inline(never)]
+    #[inline(always)]
     fn split_all(&self, steps: &[u32], words: &[u32], v: &mut [f32]) {
         // Most groups have none.
         let groups = steps.chunks(GROUP).zip(words.chunks(GROUP)).zip(v.chunks_mut(GROUP));
