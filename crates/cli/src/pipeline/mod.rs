@@ -17,7 +17,7 @@ pub mod hemisphere;
 pub mod ladder;
 mod notes;
 pub mod optics;
-mod photons;
+pub mod photons;
 mod principal_plane;
 mod published;
 mod quadrature;
