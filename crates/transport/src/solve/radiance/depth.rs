@@ -5,7 +5,7 @@
 //! a, b, c and positive. With a the smallest, x ≤ y the excesses of the others and ψ(x) = (1-e^{-x})/x, it is
 //! e^{-aτ}(ψ(x) - e^{-x}ψ(y-x))/y, and its power series below y = ¼. All without branches, for lanes.
 
-use super::elementary::{exponentials, mean_exponential};
+use super::elementary::{exponentials, mean_exponential, more_than_0};
 
 /// Below this difference of rates the power series stands in.
 const CLOSE: f64 = 0.25;
@@ -35,9 +35,10 @@ pub(super) fn second(a: f64, b: f64, c: f64) -> f64 {
         (other, least)
     };
     let (middle, most) = ordered(low, high);
-    let (x, y) = (middle - least, most - least);
-    let (near, faded) = mean_exponential(x);
-    let apart = (near - faded * mean_exponential(y - x).0) / y;
+    let (x, rest, y) = (more_than_0(middle - least), more_than_0(most - middle), most - least);
+    let ((faded, less), (_, less_again)) = (exponentials(-x), exponentials(-rest));
+    // Quotients are slow: one for all.
+    let apart = (faded * less_again * x - less * rest) / (x * rest * y);
     exponentials(-least).0 * if y < CLOSE { series(x, y) } else { apart }
 }
 

@@ -76,7 +76,7 @@ struct Peak {
 
 impl Pairing {
     pub(super) fn new(phase: &Phase, geometry: &Geometry, points: usize) -> Self {
-        let rule = Rule::new(points, widest(phase));
+        let rule = Rule::new(points);
         let (sun, view) = (libm::acos(geometry.mu0), geometry.travel());
         let ends = [(sun, 0.0), (view, geometry.phi)];
         let mut peaks: Vec<Peak> =
@@ -85,8 +85,9 @@ impl Pairing {
             peaks.extend(ends.iter().map(|&(theta, phi)| Peak { theta: PI - theta, phi: phi + PI, width }));
         }
         let (mut down, mut up, mut circle) = (Nodes::default(), Nodes::default(), Circle::default());
-        rule.visit(0.0, PI, &across(&peaks, phase.edge), |theta, weight| {
-            let product = circle.around(phase, &rule, &peaks, theta);
+        let widest = widest(phase);
+        rule.visit([0.0, PI], widest, &across(&peaks, phase.edge), |theta, weight| {
+            let product = circle.around(phase, (&rule, widest), &peaks, theta);
             let cosine = libm::cos(theta);
             let nodes = if cosine > 0.0 { &mut down } else { &mut up };
             nodes.push(1.0 / cosine.abs(), weight * libm::sin(theta) * product);
@@ -141,7 +142,7 @@ struct Circle {
 
 impl Circle {
     /// ∫P(Θ1)P(Θ2)dφ' at zenith angle `theta`.
-    fn around(&mut self, phase: &Phase, rule: &Rule, peaks: &[Peak], theta: f64) -> f64 {
+    fn around(&mut self, phase: &Phase, (rule, widest): (&Rule, f64), peaks: &[Peak], theta: f64) -> f64 {
         let view = peaks[1].phi;
         // Sun and view in one plane: both halves are alike.
         let symmetric = view == 0.0 || view == PI;
@@ -149,7 +150,8 @@ impl Circle {
         let rings: Vec<Ring> = peaks.iter().map(|peak| Ring::new(peak.theta, theta)).collect();
         self.azimuths.clear();
         self.weights.clear();
-        rule.visit(0.0, end, &breaks_around(phase, peaks, &rings), |phi, weight| {
+        let widest = widest_around(widest, peaks, theta);
+        rule.visit([0.0, end], widest, &breaks_around(phase, peaks, &rings), |phi, weight| {
             self.azimuths.push(phi);
             self.weights.push(weight);
         });
@@ -217,6 +219,12 @@ impl Ring {
         let square = (half * half - 0.5 * self.across) / self.radius;
         (square > 0.0 && square < 1.0).then(|| 2.0 * libm::asin(square.sqrt()))
     }
+}
+
+/// Widest panel in azimuth: Θ changes by less than it, by the sine of either zenith angle.
+fn widest_around(widest: f64, peaks: &[Peak], theta: f64) -> f64 {
+    let farthest = peaks.iter().fold(0.0, |most, peak| f64::max(most, libm::sin(peak.theta)));
+    (widest / libm::sin(theta).min(farthest)).min(WIDEST_SMOOTH).max(widest)
 }
 
 /// Where panels in azimuth end.

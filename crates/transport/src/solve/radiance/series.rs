@@ -1,9 +1,9 @@
 //! The azimuth series of one number of streams: light scattered three times or more.
 //!
 //! Σ(2-δ_m0) cos mφ of the modes' responses. Orders 1 and 2, the slowly converging part, are exact and stand elsewhere,
-//! so a sun's series ends early: when four modes in a row, wherever it is asked for, add less than a share of the tolerance (one or
-//! two may vanish by parity at the horizon or at a zero of a Legendre function). A mode serves all suns and thicknesses. Modes
-//! are worked out in batches of fixed size, in parallel, and added in order.
+//! so the series of a sun and a view ends early: when four modes in a row, at every thickness asked for, add less than a share of the
+//! tolerance (one or two may vanish by parity at the horizon or at a zero of a Legendre function). A mode serves all suns, views and
+//! thicknesses. Modes are worked out in batches of fixed size, in parallel, and added in order.
 
 use super::depth::{Exit, Vias};
 use super::mode::{Mode, Streams};
@@ -14,10 +14,10 @@ use super::single::exit;
 use rayon::prelude::*;
 
 /// Modes worked out at once.
-const BATCH: usize = 4;
+const BATCH: usize = 2;
 
 /// Share of the tolerance that counts as nothing.
-pub(super) const NOTHING: f64 = 0.01;
+pub(super) const NOTHING: f64 = 0.03;
 
 /// So many small modes in a row end the series.
 const ENOUGH: usize = 4;
@@ -26,8 +26,8 @@ const ENOUGH: usize = 4;
 pub(super) fn beyond_twice(medium: &Scaled, count: usize, places: &[Place], tolerance: f64) -> Vec<f64> {
     let streams = Streams::new(count);
     let rates: Vec<f64> = streams.mu.iter().map(|mu| 1.0 / mu).collect();
-    let suns = places.iter().map(|place| place.sun + 1).max().unwrap_or(0);
-    let mut ends = vec![End::default(); suns];
+    let pairs = places.iter().map(|place| place.pair + 1).max().unwrap_or(0);
+    let mut ends = vec![End::default(); pairs];
     let mut sums = vec![0.0; places.len()];
     let mut open: Vec<Way> =
         places.par_iter().enumerate().map(|(i, place)| Way::new(i, place, medium, &rates)).collect();
@@ -38,7 +38,7 @@ pub(super) fn beyond_twice(medium: &Scaled, count: usize, places: &[Place], tole
         for (m, terms) in batch.iter().zip(terms) {
             let factor = if *m == 0 { 1.0 } else { 2.0 };
             for (way, term) in open.iter().zip(&terms) {
-                let end = &mut ends[way.sun];
+                let end = &mut ends[way.pair];
                 if !end.reached() {
                     sums[way.place] += factor * term * libm::cos(*m as f64 * way.phi);
                     end.see(factor * term);
@@ -46,7 +46,7 @@ pub(super) fn beyond_twice(medium: &Scaled, count: usize, places: &[Place], tole
             }
             ends.iter_mut().for_each(|end| end.count(NOTHING * tolerance));
         }
-        open.retain(|way| !ends[way.sun].reached());
+        open.retain(|way| !ends[way.pair].reached());
         if open.is_empty() {
             break;
         }
@@ -54,7 +54,7 @@ pub(super) fn beyond_twice(medium: &Scaled, count: usize, places: &[Place], tole
     sums
 }
 
-/// Whether a sun's series has ended.
+/// Whether the series of a sun and a view has ended.
 #[derive(Clone, Default)]
 struct End {
     /// The largest term of this mode.
@@ -86,6 +86,7 @@ struct Way {
     place: usize,
     tau: f64,
     sun: usize,
+    pair: usize,
     mu0: f64,
     mu: f64,
     phi: f64,
@@ -96,11 +97,12 @@ struct Way {
 impl Way {
     fn new(place: usize, of: &Place, medium: &Scaled, rates: &[f64]) -> Self {
         let exit = exit(medium, of.tau, &of.geometry);
-        let (tau, sun, by_streams) = (of.tau, of.sun, exit.via(rates));
+        let by_streams = exit.via(rates);
         Self {
             place,
-            tau,
-            sun,
+            tau: of.tau,
+            sun: of.sun,
+            pair: of.pair,
             mu0: of.geometry.mu0,
             mu: of.geometry.mu,
             phi: of.geometry.phi,
