@@ -23,7 +23,7 @@ use stratiform_quantities::{Incidence, OpticalThickness, Order, Range};
 const LADDER: [usize; 8] = [12, 16, 24, 32, 48, 64, 96, 128];
 
 /// Streams that the kernels serve; larger ones are prepared when they are first needed.
-const SIZES: [usize; 3] = [32, 64, 128];
+const SIZES: [usize; 2] = [64, 128];
 
 /// Streams that can be asked for.
 const STREAMS: Range = Range::closed(1.0, 128.0);
