@@ -20,7 +20,7 @@ use std::sync::OnceLock;
 
 /// What one number of streams needs for orders in any slab.
 pub(crate) struct Orders<'a> {
-    pub(crate) streams: Streams,
+    pub(crate) streams: &'a Streams,
     lights: &'a [Light],
     /// Cosines of the beams among the lights.
     beams: Vec<f64>,
@@ -63,13 +63,14 @@ impl Kernels {
 impl<'a> Orders<'a> {
     pub(crate) fn new(
         kernel: &Kernel,
-        (count, intervals): (usize, usize),
+        streams: &'a Streams,
+        intervals: usize,
         omega: f64,
         lights: &'a [Light],
         max_order: usize,
     ) -> Self {
-        let streams = Streams::new(count);
-        let (even, odd) = kernel.between(&streams);
+        let count = streams.count();
+        let (even, odd) = kernel.between(streams);
         let (beams, into): (Vec<f64>, Vec<&Towards>) = lights
             .iter()
             .filter_map(|light| match light {
@@ -139,7 +140,7 @@ impl<'a> Orders<'a> {
     }
 
     fn unscattered(&self, tau: f64, light: &Light) -> Pair {
-        let streams = &self.streams;
+        let streams = self.streams;
         let transmittance = match light {
             _ if tau == 0.0 => 1.0,
             Light::Beam(mu0, _) => libm::exp(-tau / mu0),

@@ -16,7 +16,7 @@ use super::solved::Solved;
 use crate::TransportError;
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use stratiform_quantities::{Incidence, OpticalThickness, Order, Range};
 
 /// Streams per hemisphere.
@@ -48,7 +48,7 @@ pub struct Solver {
     /// What neglected moments could add.
     neglected: f64,
     tolerance: f64,
-    kernels: [OnceLock<Kernel>; SIZES.len()],
+    kernels: Arc<[OnceLock<Kernel>; SIZES.len()]>,
     /// Of the ladder's rungs, kept because they serve every slab.
     modes: [OnceLock<Modes>; LADDER.len()],
 }
@@ -77,6 +77,11 @@ impl Solver {
     fn kernel(&self, count: usize) -> &Kernel {
         let place = SIZES.iter().take_while(|size| **size < count).count();
         self.kernels[place].get_or_init(|| Kernel::new(self.moments.clone(), SIZES[place]))
+    }
+
+    /// Prepares what solving with `streams` needs of the medium alone, 128 at most.
+    pub fn prepare(&self, streams: usize) {
+        self.kernel(streams.min(SIZES[SIZES.len() - 1]));
     }
 
     /// The medium.
@@ -149,7 +154,7 @@ impl Solver {
             let modes = self.modes(count);
             let lights = self.lights(&modes, incidence);
             let totals = self.rung(&modes, tau, &lights);
-            let orders = self.order_rung(count, tau, &lights, max_order as usize);
+            let orders = self.order_rung(&modes, tau, &lights, max_order as usize);
             with_tails(&orders, &totals)
         };
         let listed: Vec<Order> = Order::rows(max_order).collect();
@@ -213,12 +218,12 @@ impl Solver {
         incidence.iter().map(light).collect()
     }
 
-    /// Orders with `count` streams, a list for each incidence and thickness inside it.
-    fn order_rung(&self, count: usize, tau: &[f64], lights: &[Light], max_order: usize) -> Vec<Vec<Pair>> {
+    /// Orders with the streams of `modes`, a list for each incidence and thickness inside it.
+    fn order_rung(&self, modes: &Modes, tau: &[f64], lights: &[Light], max_order: usize) -> Vec<Vec<Pair>> {
+        let (streams, albedo) = (&modes.streams, self.medium.albedo);
         // Depth is refined along with angle, so that the ladder sees both errors.
-        let intervals = 6 + LADDER.iter().take_while(|rung| **rung < count).count();
-        let orders =
-            Orders::new(self.kernel(count), (count, intervals), self.medium.albedo, lights, max_order);
+        let intervals = 6 + LADDER.iter().take_while(|rung| **rung < streams.count()).count();
+        let orders = Orders::new(self.kernel(streams.count()), streams, intervals, albedo, lights, max_order);
         let slabs: Vec<Vec<Vec<Pair>>> =
             tau.par_iter().map(|tau| orders.of_slab(tau * self.medium.extinction)).collect();
         (0..lights.len()).flat_map(|i| slabs.iter().map(move |slab| slab[i].clone())).collect()

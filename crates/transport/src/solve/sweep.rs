@@ -88,7 +88,7 @@ impl<'a> Sweep<'a> {
 
     /// Flux out of the top and the bottom per unit of diffuse flux in.
     pub(crate) fn fluxes(&self, field: &Field) -> Pair {
-        let (streams, count) = (&self.orders.streams, self.count());
+        let (streams, count) = (self.orders.streams, self.count());
         let flux = |row: &[f64]| {
             (0..count).fold(0.0, |sum, i| sum + 2.0 * streams.mu[i] * streams.root_weight[i] * row[i])
         };
