@@ -116,7 +116,7 @@ impl<'a, R: Real> Flock<'a, R> {
 
     /// Counts the rows from `row` on whose bottoms are above `depth`; returns the first that is not.
     #[inline(never)]
-    fn pass(&mut self, mut row: usize, depth: R, order: u32) -> usize {
+    fn pass(&mut self, mut row: usize, depth: R, order: u64) -> usize {
         while depth >= self.bottoms[row] {
             self.ledger.leave(false, row, order);
             row += 1;

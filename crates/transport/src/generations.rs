@@ -58,7 +58,7 @@ impl<'a, R: Real> Generations<'a, R> {
         let tally = &mut tallies[range];
         self.enter(photons);
         self.count(0, tally);
-        for order in 1..=max_order {
+        for order in 1..=u64::from(max_order) {
             let events = self.block.collide_and_fly(self.table, self.half_space.absorbs_from);
             for lane in LanesOf(events.absorbed) {
                 self.absorb(lane, order - 1, tally);
@@ -134,7 +134,7 @@ impl<'a, R: Real> Generations<'a, R> {
 
     /// An absorbed photon flew on for nothing.
     #[inline(always)]
-    fn absorb(&mut self, lane: usize, order: u32, tally: &mut Tally) {
+    fn absorb(&mut self, lane: usize, order: u64, tally: &mut Tally) {
         if !self.block.is_parked(lane) {
             tally.absorb(first_below(self.bottoms, self.deepest.0[lane]), order);
             self.block.park(lane);
@@ -142,7 +142,7 @@ impl<'a, R: Real> Generations<'a, R> {
     }
 
     #[inline(always)]
-    fn leave(&mut self, lane: usize, order: u32, tally: &mut Tally) {
+    fn leave(&mut self, lane: usize, order: u64, tally: &mut Tally) {
         if self.block.depth.0[lane] < R::ZERO {
             tally.reflect(first_below(self.bottoms, self.deepest.0[lane]), order);
         }
@@ -151,7 +151,7 @@ impl<'a, R: Real> Generations<'a, R> {
 
     /// Counts the slabs that were passed for the first time.
     #[inline(always)]
-    fn count(&mut self, order: u32, tally: &mut Tally) {
+    fn count(&mut self, order: u64, tally: &mut Tally) {
         for (slab, &bottom) in self.bottoms.iter().enumerate() {
             let reached = count_where(|k| self.deepest.0[k] >= bottom);
             tally.pass(slab, order, u64::from(reached - self.reached[slab]));

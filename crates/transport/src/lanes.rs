@@ -34,14 +34,14 @@ pub(crate) struct Photon<R> {
 #[derive(Clone)]
 pub(crate) struct Block<R> {
     /// Steps done.
-    pub steps: u32,
+    pub steps: u64,
     pub streams: Streams,
     pub mu: Row<R>,
     pub depth: Row<R>,
     pub bottom: Row<R>,
     pub row: Row<u32>,
     /// Steps done when the photon had no scattering yet.
-    born: Row<u32>,
+    born: Row<u64>,
 }
 
 /// What a step brought about, one bit per lane.
@@ -79,7 +79,7 @@ impl<R: Real> Block<R> {
 
     /// Scatterings of the photon in `lane`.
     #[inline(always)]
-    pub fn order(&self, lane: usize) -> u32 {
+    pub fn order(&self, lane: usize) -> u64 {
         self.steps.wrapping_sub(self.born.0[lane])
     }
 
