@@ -14,11 +14,14 @@ pub(super) struct Cell {
 impl Cell {
     /// ∫ P sinΘ dΘ over the cell's first `t` radians.
     pub(super) fn integral(&self, t: f64) -> f64 {
-        let h = 0.5 * t;
-        let (sin_h, cos_h) = libm::sincos(h);
-        let (sin_m, cos_m) = libm::sincos(self.start + h);
-        let flat = 2.0 * sin_m * sin_h;
-        let rising = 2.0 * cos_m * sin_minus_h_cos(h, sin_h, cos_h) + h * flat;
+        let half = Half::new(0.5 * t);
+        self.integral_about(&half, libm::sincos(self.start + half.h))
+    }
+
+    /// The same, sine and cosine of the middle given.
+    fn integral_about(&self, half: &Half, (sin_m, cos_m): (f64, f64)) -> f64 {
+        let flat = 2.0 * sin_m * half.sine;
+        let rising = 2.0 * cos_m * half.sine_minus_h_cosine + half.h * flat;
         self.value * flat + self.slope * rising
     }
 
@@ -31,16 +34,19 @@ impl Cell {
     /// The t ∈ \[0, `width`\] at which [`integral`](Self::integral) equals `target`: Newton's method, kept inside a
     /// bracket that each step shrinks. It doubles the digits, so that a step of 1e-8 of the way to either end is the last.
     pub(super) fn invert(&self, target: f64, width: f64) -> f64 {
+        let start = libm::sincos(self.start);
         let (mut low, mut high) = (0.0, width);
-        let mut t = self.first_guess(target, width).clamp(low, high);
+        let mut t = self.first_guess(target, width, start).clamp(low, high);
         for _ in 0..60 {
-            let excess = self.integral(t) - target;
+            let half = Half::new(0.5 * t);
+            let middle = half.after(start);
+            let excess = self.integral_about(&half, middle) - target;
             if excess > 0.0 {
                 high = t;
             } else {
                 low = t;
             }
-            let newton = t - excess / self.density(t);
+            let newton = t - excess / self.density(t, half.after(middle));
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
             let step = (next - t).abs();
             let short = next == newton && step <= 1e-8 * next.min(width - next);
@@ -52,18 +58,49 @@ impl Cell {
         t
     }
 
-    /// P sinΘ.
-    fn density(&self, t: f64) -> f64 {
-        (self.value + self.slope * t) * libm::sin(self.start + t)
+    /// P sinΘ, sine and cosine of Θ given.
+    fn density(&self, t: f64, (sine, _): (f64, f64)) -> f64 {
+        (self.value + self.slope * t) * sine
     }
 
     /// The t at which a density that is linear between the cell's ends has the integral `target`.
-    fn first_guess(&self, target: f64, width: f64) -> f64 {
-        let first = self.density(0.0);
-        let rise = (self.density(width) - first) / width;
+    fn first_guess(&self, target: f64, width: f64, start: (f64, f64)) -> f64 {
+        let first = self.density(0.0, start);
+        let rise = (self.density(width, Half::new(width).after(start)) - first) / width;
         let t = 2.0 * target / (first + (first * first + 2.0 * target * rise).max(0.0).sqrt());
         if t.is_finite() { t } else { 0.0 }
     }
+}
+
+/// Half a width, its sine and cosine, and sin h - h cos h.
+struct Half {
+    h: f64,
+    sine: f64,
+    cosine: f64,
+    sine_minus_h_cosine: f64,
+}
+
+/// Up to here series leave less than rounding.
+const NARROW: f64 = 0.1;
+
+impl Half {
+    fn new(h: f64) -> Self {
+        let (sine, cosine) = if h.abs() > NARROW { libm::sincos(h) } else { narrow(h) };
+        Self { h, sine, cosine, sine_minus_h_cosine: sin_minus_h_cos(h, sine, cosine) }
+    }
+
+    /// Sine and cosine of an angle and h together.
+    fn after(&self, (sine, cosine): (f64, f64)) -> (f64, f64) {
+        (sine * self.cosine + cosine * self.sine, cosine * self.cosine - sine * self.sine)
+    }
+}
+
+/// Sine and cosine of |h| ≤ [`NARROW`] by their series.
+fn narrow(h: f64) -> (f64, f64) {
+    let x = h * h;
+    let sine = 1.0 - x * (1.0 / 6.0 - x * (1.0 / 120.0 - x * (1.0 / 5040.0 - x / 362_880.0)));
+    let cosine = x * (0.5 - x * (1.0 / 24.0 - x * (1.0 / 720.0 - x * (1.0 / 40_320.0 - x / 3_628_800.0))));
+    (h * sine, 1.0 - cosine)
 }
 
 /// sin h - h cos h, by its series h³/3 - h⁵/30 + … where the difference would cancel.
@@ -100,6 +137,18 @@ mod tests {
                 });
                 assert!((cell.cosine_integral(width) - simpson).abs() < 1e-8 * width, "{start} {width}");
             }
+        }
+    }
+
+    #[test]
+    fn series_are_sine_and_cosine() {
+        for i in 0..=1000 {
+            let h = NARROW * f64::from(i) / 1000.0;
+            let ((sine, cosine), expected) = (narrow(h), libm::sincos(h));
+            assert!(
+                (sine - expected.0).abs() <= f64::EPSILON * sine && (cosine - expected.1).abs() <= 2e-16,
+                "{h}"
+            );
         }
     }
 

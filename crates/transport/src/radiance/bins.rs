@@ -1,15 +1,19 @@
 //! Radiance in angular bins: whole numbers of photons.
 
 use super::RadianceRequest;
+use super::flight::Flight;
 use super::request::{orders, row_of};
 use super::rounds;
-use crate::walk::{End, Walk, sunbeam, tabulated};
+use crate::walk::End;
 use crate::{Control, TraceMedium, TransportError};
 use glam::DVec3;
 use std::f64::consts::PI;
 use std::ops;
-use stratiform_quantities::{Order, Range, Side};
-use stratiform_stats::{Estimate, Purpose, key, photon_stream};
+use stratiform_quantities::{CosZenith, Order, Range, Side};
+use stratiform_stats::{Estimate, Purpose, key};
+
+/// Photons of one share: enough to keep the lanes filled.
+const SHARE: u64 = 1 << 14;
 
 /// Bins in μ and |φ|, the same for both faces. Edges may leave out a part of the hemisphere.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +73,8 @@ fn edges(name: &'static str, edges: &[f64], range: Range) -> Result<(), Transpor
 /// The bin that holds `x`: lower edge included, of the last bin both.
 fn below(edges: &[f64], x: f64) -> Option<usize> {
     let last = edges.len() - 2;
-    match edges.partition_point(|edge| *edge <= x) {
+    // A count of all: a search's branches cannot be foretold.
+    match edges.iter().fold(0, |count, edge| count + usize::from(*edge <= x)) {
         0 => None,
         bin if bin <= last + 1 => Some(bin - 1),
         _ => (x == edges[last + 1]).then_some(last),
@@ -87,22 +92,20 @@ pub fn trace_radiance_bins(
     control: Control<'_>,
 ) -> Result<BinRadiance, TransportError> {
     request.check(bins.len())?;
-    let walk = Walk { medium, sampler: tabulated(medium), bottom: request.bottom(medium) };
     let key = key(request.seed, Purpose::RadianceInBins(request.stream));
+    let flight = Flight::new(medium, request.bottom(medium), CosZenith::new(request.mu0)?, key);
     let trace = |photons: ops::Range<u64>| {
         let mut hits = vec![0_u64; bins.len() * request.rows()];
-        for index in photons {
-            let mut rng = photon_stream(key, index);
-            let end = walk.history(sunbeam(request.mu0), &mut rng, |_| ());
-            if let Some(cell) = cell(request, bins, &end) {
+        flight.trace(photons, &mut |end| {
+            if let Some(cell) = cell(request, bins, end) {
                 hits[cell] += 1;
             }
-        }
+        });
         hits
     };
     let mut hits = vec![0; bins.len() * request.rows()];
     let fold = |share: Vec<u64>| hits.iter_mut().zip(&share).for_each(|(sum, share)| *sum += share);
-    rounds::run(request, control, trace, fold)?;
+    rounds::run(request, SHARE, control, trace, fold)?;
     let rows = request.rows() - 1;
     for cell in 0..bins.len() {
         hits[rows * bins.len() + cell] = (0..rows).map(|row| hits[row * bins.len() + cell]).sum();

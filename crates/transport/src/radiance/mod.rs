@@ -22,6 +22,7 @@
 //! photons. The same bytes for any number of threads.
 
 mod bins;
+mod flight;
 mod request;
 mod rounds;
 mod score;

@@ -12,6 +12,9 @@ use stratiform_optics::phase::{PhaseFunction, versine};
 use stratiform_quantities::{Order, Range};
 use stratiform_stats::{Estimate, Purpose, key, photon_stream};
 
+/// Photons of one share.
+const SHARE: u64 = 1024;
+
 /// Events of the largest possible score that the scatter met must exceed before its size is trusted.
 const EVENTS: f64 = 3.0;
 
@@ -30,7 +33,7 @@ pub fn trace_radiance(
     let viewers = Viewers::new(views);
     let mut scores = vec![Score::default(); views.len() * request.rows()];
     let fold = |share: Vec<Score>| scores.iter_mut().zip(&share).for_each(|(sum, score)| sum.merge(score));
-    rounds::run(request, control, |photons| trace(medium, request, &viewers, photons), fold)?;
+    rounds::run(request, SHARE, control, |photons| trace(medium, request, &viewers, photons), fold)?;
     Ok(ViewRadiance {
         largest: largest_events(medium, request, &viewers),
         views: views.to_vec(),

@@ -26,15 +26,17 @@ impl Grid {
     pub(crate) fn new(tau: f64, smallest_mu: f64, intervals: usize) -> Self {
         let half = 0.5 * tau;
         let (mut widths, mut top, mut depth) = (Vec::new(), Vec::new(), 0.0);
-        let mut width = (2.0 * smallest_mu).min(half);
-        while width < WIDEST && depth + width < half {
+        for width in doublings(smallest_mu) {
+            if depth + width >= half {
+                break;
+            }
             top.push(widths.len());
             widths.push(width);
             depth += width;
-            width *= 2.0;
         }
         let rest = half - depth;
-        let pieces = (rest / width.min(WIDEST)).ceil().max(1.0);
+        let next = 2.0 * widths.last().copied().unwrap_or(smallest_mu);
+        let pieces = (rest / next.min(WIDEST)).ceil().max(1.0);
         top.extend(std::iter::repeat_n(widths.len(), pieces as usize));
         widths.push(rest / pieces);
         let panels = top.iter().chain(top.iter().rev()).copied().collect();
@@ -46,6 +48,18 @@ impl Grid {
     }
 }
 
+/// Widths that all slabs share, from the surfaces.
+pub(crate) fn doublings(smallest_mu: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(2.0 * smallest_mu), |width| Some(2.0 * width))
+        .take_while(|width| *width < WIDEST)
+}
+
+/// Chebyshev–Lobatto point `i` of 0…p.
+pub(crate) fn lobatto(i: usize, p: usize) -> f64 {
+    let sine = libm::sin(0.5 * PI * i as f64 / p as f64);
+    sine * sine
+}
+
 /// The differentiation matrix on the Chebyshev–Lobatto points of \[0, 1\], p + 1 of them.
 #[derive(Clone, Debug)]
 pub(crate) struct Collocation {
@@ -55,10 +69,7 @@ pub(crate) struct Collocation {
 impl Collocation {
     pub(crate) fn new(intervals: usize) -> Self {
         let p = intervals;
-        let at = |i: usize| {
-            let sine = libm::sin(0.5 * PI * i as f64 / p as f64);
-            sine * sine
-        };
+        let at = |i: usize| lobatto(i, p);
         let end = |i: usize| if i == 0 || i == p { 0.5 } else { 1.0 };
         let sign = |i: usize| if i.is_multiple_of(2) { 1.0 } else { -1.0 };
         let off = |i: usize, j: usize| sign(i) * sign(j) * end(j) / (end(i) * (at(i) - at(j)));
@@ -68,9 +79,13 @@ impl Collocation {
         Self { derivative }
     }
 
+    pub(crate) fn intervals(&self) -> usize {
+        self.derivative.size() - 1
+    }
+
     /// Row i - 1: what sources at points 1…p, then radiance at point 0, give at point i.
     pub(crate) fn through(&self, ratio: f64) -> Vec<Vec<f64>> {
-        let p = self.derivative.size() - 1;
+        let p = self.intervals();
         let inverse = self.shifted(ratio).inverse();
         let row = |i: usize| {
             let from_start = (0..p).fold(0.0, |sum, j| sum - inverse[(i, j)] * self.derivative[(j + 1, 0)]);
@@ -79,9 +94,12 @@ impl Collocation {
         (0..p).map(row).collect()
     }
 
-    /// Only the last row of [`through`](Self::through): the radiance that leaves.
+    /// Only the last row of [`through`](Self::through): the radiance that leaves. At infinity it is the last source.
     pub(crate) fn leaving(&self, ratio: f64) -> Vec<f64> {
-        let p = self.derivative.size() - 1;
+        let p = self.intervals();
+        if ratio == f64::INFINITY {
+            return (0..=p).map(|j| if j + 1 == p { 1.0 } else { 0.0 }).collect();
+        }
         let unit = (0..p).map(|j| if j + 1 == p { 1.0 } else { 0.0 }).collect();
         let row = self.shifted(ratio).transposed().solve(unit);
         let from_start = (0..p).fold(0.0, |sum, j| sum - row[j] * self.derivative[(j + 1, 0)]);
@@ -89,7 +107,7 @@ impl Collocation {
     }
 
     fn shifted(&self, ratio: f64) -> Matrix {
-        Matrix::from_fn(self.derivative.size() - 1, |i, j| {
+        Matrix::from_fn(self.intervals(), |i, j| {
             self.derivative[(i + 1, j + 1)] + if i == j { ratio } else { 0.0 }
         })
     }

@@ -24,19 +24,16 @@ pub(crate) struct Kernel {
     odd: Matrix,
 }
 
+/// p(μ, μ_j) √w_j from the streams into one direction, for even and odd l.
+pub(crate) struct Towards {
+    pub(crate) even: Vec<f64>,
+    pub(crate) odd: Vec<f64>,
+}
+
 impl Kernel {
     pub(crate) fn new(moments: Vec<f64>, size: usize) -> Self {
         let projections = projections(moments.len(), size);
-        let mut parity = [Matrix::zeros(size), Matrix::zeros(size)];
-        for (l, (row, chi)) in projections.chunks(size).zip(&moments).enumerate() {
-            let weight = (2 * l + 1) as f64 * chi;
-            if weight != 0.0 {
-                for (k, c) in row.iter().enumerate() {
-                    add_scaled(parity[l % 2].row_mut(k), weight * c, row);
-                }
-            }
-        }
-        let [even, odd] = parity;
+        let [even, odd] = compressed(&moments, &projections, size);
         Self { moments, projections, even, odd }
     }
 
@@ -49,8 +46,8 @@ impl Kernel {
         (to_nodes(&self.even), to_nodes(&self.odd))
     }
 
-    /// p(μ, μ_j) √w_j into any direction cosine `mu`, for even and odd l.
-    pub(crate) fn towards(&self, mu: f64, streams: &Streams) -> (Vec<f64>, Vec<f64>) {
+    /// Into any direction cosine `mu`.
+    pub(crate) fn towards(&self, mu: f64, streams: &Streams) -> Towards {
         let (size, count) = (self.even.size(), streams.count());
         let mut legendre = vec![0.0; self.moments.len()];
         legendre_row(mu, &mut legendre);
@@ -62,50 +59,59 @@ impl Kernel {
         let to_nodes = |coefficients: &[f64]| {
             (0..count).map(|j| super::matrix::dot(streams.transform.row(j), coefficients)).collect()
         };
-        (to_nodes(&parity[0]), to_nodes(&parity[1]))
+        Towards { even: to_nodes(&parity[0]), odd: to_nodes(&parity[1]) }
     }
 }
 
-/// c_kl for l < `count`, k < `size`.
+/// K_kk' of even and of odd l.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn compressed(moments: &[f64], projections: &[f64], size: usize) -> [Matrix; 2] {
+    let mut parity = [Matrix::zeros(size), Matrix::zeros(size)];
+    for (l, (row, chi)) in projections.chunks_exact(size).zip(moments).enumerate() {
+        let weight = (2 * l + 1) as f64 * chi;
+        if weight != 0.0 {
+            for (k, c) in row.iter().enumerate() {
+                add_scaled(parity[l % 2].row_mut(k), weight * c, row);
+            }
+        }
+    }
+    parity
+}
+
+/// c_kl for l < `count`, k < `size`. Polynomials have a zero ahead, so that every k has a neighbour.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
 fn projections(count: usize, size: usize) -> Vec<f64> {
     let width = size + POWER * (count + 2);
-    let coefficients: Vec<(f64, f64)> =
-        (0..=width).map(recurrence).map(|(a, b)| (0.5 * (1.0 + a), 0.5 * b)).collect();
-    let mut before = vec![0.0; width];
+    let (middle, beside): (Vec<f64>, Vec<f64>) =
+        (0..=width).map(recurrence).map(|(a, b)| (0.5 * (1.0 + a), 0.5 * b)).unzip();
+    let mut before = vec![0.0; width + 2];
     let (mut now, mut left, mut right) = (before.clone(), before.clone(), before.clone());
-    now[0] = 1.0;
+    now[1] = 1.0;
     let mut table = Vec::with_capacity(count * size);
     for l in 0..count {
-        table.extend_from_slice(&now[..size]);
+        table.extend_from_slice(&now[1..=size]);
         // Beyond k = ql all is zero; beyond size + q(count - l) nothing is asked for.
         let last = (POWER * (l + 2)).min(size + POWER * (count - l));
-        times_y(&coefficients, &now, &mut left, last);
+        let times_y = |of: &[f64], put: &mut [f64], (old, new): (f64, f64)| {
+            let neighbours = of[..last].iter().zip(&of[1..=last]).zip(&of[2..last + 2]);
+            let coefficients = beside[..last].iter().zip(&middle[..last]).zip(&beside[1..=last]);
+            for ((put, ((low, of), high)), ((below, a), above)) in
+                put[1..=last].iter_mut().zip(neighbours).zip(coefficients)
+            {
+                *put = old * *put + new * (above * high + a * of + below * low);
+            }
+        };
+        times_y(&now, &mut left, (0.0, 1.0));
         for _ in 2..POWER {
-            times_y(&coefficients, &left, &mut right, last);
+            times_y(&left, &mut right, (0.0, 1.0));
             std::mem::swap(&mut left, &mut right);
         }
         let (up, down) = ((2 * l + 1) as f64 / (l + 1) as f64, l as f64 / (l + 1) as f64);
         // P_{l-1} makes room for P_{l+1}.
-        before.iter_mut().for_each(|value| *value *= -down);
-        add_times_y(&coefficients, &left, &mut before, last, up);
+        times_y(&left, &mut before, (-down, up));
         std::mem::swap(&mut before, &mut now);
     }
     table
-}
-
-/// `result` = coefficients of y times the polynomial `of`, up to place `last`.
-fn times_y(coefficients: &[(f64, f64)], of: &[f64], result: &mut [f64], last: usize) {
-    result[..last].fill(0.0);
-    add_times_y(coefficients, of, result, last, 1.0);
-}
-
-/// Adds `factor` y times the polynomial `of`.
-fn add_times_y(coefficients: &[(f64, f64)], of: &[f64], result: &mut [f64], last: usize, factor: f64) {
-    result[0] += factor * (coefficients[0].0 * of[0] + coefficients[1].1 * of[1]);
-    for k in 1..last {
-        let (a, b) = coefficients[k];
-        result[k] += factor * (coefficients[k + 1].1 * of[k + 1] + a * of[k] + b * of[k - 1]);
-    }
 }
 
 #[cfg(test)]

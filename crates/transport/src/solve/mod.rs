@@ -25,11 +25,14 @@ mod matrix;
 mod medium;
 mod modes;
 mod orders;
+mod panel;
+mod product;
 mod quadrature;
 mod radiance;
 mod slab;
 mod solved;
 mod solver;
+mod sweep;
 
 pub use medium::SolveMedium;
 pub use radiance::{RadianceOrder, RadianceSolver, Radiances, View};

@@ -8,7 +8,7 @@
 //! own: cosh → 1 and sinh(kx)/k → x.
 
 use super::jacobi::singular;
-use super::kernel::Kernel;
+use super::kernel::{Kernel, Towards};
 use super::matrix::{Matrix, dot};
 use super::quadrature::Streams;
 
@@ -33,11 +33,10 @@ impl Modes {
         Self { streams, omega, decay: rates, sum, difference }
     }
 
-    /// How strongly each mode scatters into direction cosine `mu`, by its φ and by its ψ.
-    pub(crate) fn towards(&self, kernel: &Kernel, mu: f64) -> (Vec<f64>, Vec<f64>) {
-        let (even, odd) = kernel.towards(mu, &self.streams);
+    /// How strongly each mode scatters into a direction, by its φ and by its ψ.
+    pub(crate) fn towards(&self, streams: &Towards) -> (Vec<f64>, Vec<f64>) {
         let onto = |row: &[f64], modes: &Matrix| (0..row.len()).map(|j| dot(row, modes.row(j))).collect();
-        (onto(&even, &self.sum), onto(&odd, &self.difference))
+        (onto(&streams.even, &self.sum), onto(&streams.odd, &self.difference))
     }
 }
 

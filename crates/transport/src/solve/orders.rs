@@ -9,52 +9,110 @@
 //! Light that was scattered n times does not reach a depth of n + 12√n + 40 (Poisson tail below 1e-13):
 //! thicker slabs are cut there.
 
-use super::grid::{Collocation, Grid};
-use super::kernel::Kernel;
-use super::matrix::{Matrix, add_scaled, dot};
+use super::grid::{Collocation, doublings};
+use super::kernel::{Kernel, Towards};
+use super::panel::Panel;
+use super::product::product;
 use super::quadrature::Streams;
 use super::slab::Pair;
+use super::sweep::{Mixed, Sweep};
+use std::sync::OnceLock;
 
 /// What one number of streams needs for orders in any slab.
-pub(crate) struct Orders {
-    streams: Streams,
-    omega: f64,
-    even: Matrix,
-    odd: Matrix,
+pub(crate) struct Orders<'a> {
+    pub(crate) streams: &'a Streams,
+    lights: &'a [Light],
+    /// Cosines of the beams among the lights.
+    beams: Vec<f64>,
+    between: Kernels,
+    towards_beams: Kernels,
     collocation: Collocation,
-    intervals: usize,
+    /// Panels that slabs share, each made for the first that has it.
+    doublings: Vec<(f64, OnceLock<Panel>)>,
     max_order: usize,
 }
 
-/// A direction of incidence: μ0 and the kernel into it.
-pub(crate) struct View {
-    mu0: f64,
+/// An incidence, with the kernel into it.
+pub(crate) enum Light {
+    Diffuse,
+    Beam(f64, Towards),
+}
+
+/// ½ω times the even and the odd kernel, a row of `width` directions for each stream.
+pub(crate) struct Kernels {
     even: Vec<f64>,
     odd: Vec<f64>,
+    shape: (usize, usize),
 }
 
-/// Radiances, times √w, at all points: a row of streams for each point.
-struct Field {
-    down: Vec<f64>,
-    up: Vec<f64>,
+impl Kernels {
+    /// From the elements of row `stream` and column `direction`.
+    fn new(shape: (usize, usize), omega: f64, of: impl Fn(usize, usize) -> (f64, f64)) -> Self {
+        let places = (0..shape.0).flat_map(|stream| (0..shape.1).map(move |direction| (stream, direction)));
+        let scaled = |(even, odd)| (0.5 * omega * even, 0.5 * omega * odd);
+        let (even, odd) = places.map(|(stream, direction)| scaled(of(stream, direction))).unzip();
+        Self { even, odd, shape }
+    }
+
+    /// Even and odd parts of the sources from sums and differences of radiances.
+    pub(crate) fn of(&self, sum: &[f64], difference: &[f64]) -> [Vec<f64>; 2] {
+        [product(sum, &self.even, self.shape), product(difference, &self.odd, self.shape)]
+    }
 }
 
-impl Orders {
-    pub(crate) fn new(kernel: &Kernel, count: usize, intervals: usize, omega: f64, max_order: usize) -> Self {
-        let streams = Streams::new(count);
-        let (even, odd) = kernel.between(&streams);
-        Self { streams, omega, even, odd, collocation: Collocation::new(intervals), intervals, max_order }
+impl<'a> Orders<'a> {
+    pub(crate) fn new(
+        kernel: &Kernel,
+        streams: &'a Streams,
+        intervals: usize,
+        omega: f64,
+        lights: &'a [Light],
+        max_order: usize,
+    ) -> Self {
+        let count = streams.count();
+        let (even, odd) = kernel.between(streams);
+        let (beams, into): (Vec<f64>, Vec<&Towards>) = lights
+            .iter()
+            .filter_map(|light| match light {
+                Light::Diffuse => None,
+                Light::Beam(mu0, towards) => Some((*mu0, towards)),
+            })
+            .unzip();
+        Self {
+            between: Kernels::new((count, count), omega, |i, j| (even[(i, j)], odd[(i, j)])),
+            towards_beams: Kernels::new((count, into.len()), omega, |i, k| (into[k].even[i], into[k].odd[i])),
+            collocation: Collocation::new(intervals),
+            doublings: doublings(streams.mu[count - 1]).map(|width| (width, OnceLock::new())).collect(),
+            streams,
+            lights,
+            beams,
+            max_order,
+        }
     }
 
-    pub(crate) fn view(&self, kernel: &Kernel, mu0: f64) -> View {
-        let (even, odd) = kernel.towards(mu0, &self.streams);
-        View { mu0, even, odd }
+    pub(crate) fn intervals(&self) -> usize {
+        self.collocation.intervals()
     }
 
-    /// Orders 0…N of a slab, a list for each incidence; `None` is diffuse light.
-    pub(crate) fn of_slab(&self, tau: f64, views: &[Option<View>]) -> Vec<Vec<Pair>> {
+    pub(crate) fn smallest_mu(&self) -> f64 {
+        self.streams.mu[self.streams.count() - 1]
+    }
+
+    /// A panel of any width.
+    pub(crate) fn panel(&self, width: f64) -> Panel {
+        Panel::new(&self.collocation, width, &self.streams.mu, &self.beams)
+    }
+
+    /// Panel `k` of those that double in width.
+    pub(crate) fn doubling(&self, k: usize) -> &Panel {
+        let (width, panel) = &self.doublings[k];
+        panel.get_or_init(|| self.panel(*width))
+    }
+
+    /// Orders 0…N of a slab, a list for each light.
+    pub(crate) fn of_slab(&self, tau: f64) -> Vec<Vec<Pair>> {
         let mut lists: Vec<Vec<Pair>> =
-            views.iter().map(|view| vec![self.unscattered(tau, view.as_ref())]).collect();
+            self.lights.iter().map(|light| vec![self.unscattered(tau, light)]).collect();
         let n = self.max_order as f64;
         let deepest = n + 12.0 * n.sqrt() + 40.0;
         if tau == 0.0 {
@@ -63,29 +121,30 @@ impl Orders {
         }
         let sweep = Sweep::new(self, tau.min(deepest));
         let mut field = sweep.unscattered();
-        for _ in 0..self.max_order {
-            let before = field;
-            field = sweep.transport(&self.scatter(&before));
-            for (list, view) in lists.iter_mut().zip(views) {
-                let mut pair = match view {
-                    Some(view) => sweep.towards(view, &before),
-                    None => sweep.fluxes(&field),
+        for order in 1..=self.max_order {
+            let before = Mixed::new(&field);
+            let mut along = sweep.along(&before.scattered(&self.towards_beams)).into_iter();
+            if order < self.max_order || self.beams.len() < self.lights.len() {
+                field = sweep.transport(&before.scattered(&self.between));
+            }
+            for (list, light) in lists.iter_mut().zip(self.lights) {
+                let pair = match light {
+                    Light::Beam(..) => along.next().unwrap_or(NOTHING),
+                    Light::Diffuse => sweep.fluxes(&field),
                 };
-                if tau > deepest {
-                    pair.transmittance = 0.0;
-                }
-                list.push(pair);
+                let transmittance = if tau > deepest { 0.0 } else { pair.transmittance };
+                list.push(Pair { transmittance, ..pair });
             }
         }
         lists
     }
 
-    fn unscattered(&self, tau: f64, view: Option<&View>) -> Pair {
-        let streams = &self.streams;
-        let transmittance = match view {
+    fn unscattered(&self, tau: f64, light: &Light) -> Pair {
+        let streams = self.streams;
+        let transmittance = match light {
             _ if tau == 0.0 => 1.0,
-            Some(view) => libm::exp(-tau / view.mu0),
-            None => streams
+            Light::Beam(mu0, _) => libm::exp(-tau / mu0),
+            Light::Diffuse => streams
                 .mu
                 .iter()
                 .zip(&streams.weight)
@@ -93,154 +152,6 @@ impl Orders {
         };
         Pair { reflectance: 0.0, transmittance }
     }
-
-    /// Source functions of the next order: ½ω(E(u+v) ± O(u-v)).
-    fn scatter(&self, field: &Field) -> Field {
-        let count = self.streams.count();
-        let mut source = Field { down: vec![0.0; field.down.len()], up: vec![0.0; field.up.len()] };
-        let (mut even, mut odd) = (vec![0.0; count], vec![0.0; count]);
-        let fields = field.down.chunks(count).zip(field.up.chunks(count));
-        let sources = source.down.chunks_mut(count).zip(source.up.chunks_mut(count));
-        for ((u, v), (down, up)) in fields.zip(sources) {
-            even.fill(0.0);
-            odd.fill(0.0);
-            for j in 0..count {
-                add_scaled(&mut even, u[j] + v[j], self.even.row(j));
-                add_scaled(&mut odd, u[j] - v[j], self.odd.row(j));
-            }
-            for i in 0..count {
-                down[i] = 0.5 * self.omega * (even[i] + odd[i]);
-                up[i] = 0.5 * self.omega * (even[i] - odd[i]);
-            }
-        }
-        source
-    }
 }
 
 const NOTHING: Pair = Pair { reflectance: 0.0, transmittance: 0.0 };
-
-/// One slab on its grid.
-struct Sweep<'a> {
-    orders: &'a Orders,
-    grid: Grid,
-    /// For each width, point i and source j (the last: radiance at the start) a row of streams.
-    through: Vec<Vec<f64>>,
-}
-
-impl<'a> Sweep<'a> {
-    fn new(orders: &'a Orders, tau: f64) -> Self {
-        let mu = &orders.streams.mu;
-        let grid = Grid::new(tau, mu[mu.len() - 1], orders.intervals);
-        let through = grid.widths.iter().map(|width| through(orders, *width)).collect();
-        Self { orders, grid, through }
-    }
-
-    fn unscattered(&self) -> Field {
-        let streams = &self.orders.streams;
-        let mut field = Field { down: vec![0.0; self.size()], up: vec![0.0; self.size()] };
-        let p = self.orders.intervals;
-        let mut depth = 0.0;
-        for (start, &panel) in self.grid.panels.iter().enumerate() {
-            let width = self.grid.widths[panel];
-            for i in 0..=p {
-                let sine = libm::sin(0.5 * std::f64::consts::PI * i as f64 / p as f64);
-                let t = depth + width * sine * sine;
-                let row = (start * p + i) * streams.count();
-                for (m, mu) in streams.mu.iter().enumerate() {
-                    field.down[row + m] = streams.root_weight[m] * libm::exp(-t / mu);
-                }
-            }
-            depth += width;
-        }
-        field
-    }
-
-    fn size(&self) -> usize {
-        self.grid.points() * self.orders.streams.count()
-    }
-
-    /// The field of `source`, no light entering.
-    fn transport(&self, source: &Field) -> Field {
-        let (count, p, panels) = (self.orders.streams.count(), self.orders.intervals, &self.grid.panels);
-        let mut field = Field { down: vec![0.0; self.size()], up: vec![0.0; self.size()] };
-        let last = self.grid.points() - 1;
-        for (k, &panel) in panels.iter().enumerate() {
-            let points = |i: usize| (k * p + i) * count;
-            self.panel(&self.through[panel], &source.down, &mut field.down, points);
-        }
-        for (k, &panel) in panels.iter().rev().enumerate() {
-            let points = |i: usize| (last - k * p - i) * count;
-            self.panel(&self.through[panel], &source.up, &mut field.up, points);
-        }
-        field
-    }
-
-    /// Points 1…p of a panel from the sources there and the radiance at point 0; `at` finds a point's row.
-    fn panel(&self, through: &[f64], source: &[f64], field: &mut [f64], at: impl Fn(usize) -> usize) {
-        let (count, p) = (self.orders.streams.count(), self.orders.intervals);
-        let start: Vec<f64> = field[at(0)..at(0) + count].to_vec();
-        for i in 0..p {
-            let target = &mut field[at(i + 1)..at(i + 1) + count];
-            for j in 0..=p {
-                let row = (i * (p + 1) + j) * count;
-                let from = if j == p { &start[..] } else { &source[at(j + 1)..at(j + 1) + count] };
-                let terms = through[row..row + count].iter().zip(from);
-                target.iter_mut().zip(terms).for_each(|(t, (factor, value))| *t += factor * value);
-            }
-        }
-    }
-
-    /// Flux out of the top and the bottom per unit of diffuse flux in.
-    fn fluxes(&self, field: &Field) -> Pair {
-        let streams = &self.orders.streams;
-        let count = streams.count();
-        let flux = |row: &[f64]| {
-            (0..count).fold(0.0, |sum, i| sum + 2.0 * streams.mu[i] * streams.root_weight[i] * row[i])
-        };
-        let bottom = field.down.len() - count;
-        Pair { reflectance: flux(&field.up[..count]), transmittance: flux(&field.down[bottom..]) }
-    }
-
-    /// Radiance leaving towards μ0 above and below, of light that is scattered once more than `before`.
-    fn towards(&self, view: &View, before: &Field) -> Pair {
-        let count = self.orders.streams.count();
-        let half = 0.5 * self.orders.omega;
-        let (mut down, mut up) = (Vec::new(), Vec::new());
-        for (u, v) in before.down.chunks(count).zip(before.up.chunks(count)) {
-            let even = dot(&view.even, u) + dot(&view.even, v);
-            let odd = dot(&view.odd, u) - dot(&view.odd, v);
-            down.push(half * (even + odd));
-            up.push(half * (even - odd));
-        }
-        up.reverse();
-        Pair { reflectance: self.along(view.mu0, &up), transmittance: self.along(view.mu0, &down) }
-    }
-
-    /// Radiance at the end of a ray with cosine `mu0` through all panels (a mirror image both ways).
-    fn along(&self, mu0: f64, source: &[f64]) -> f64 {
-        let p = self.orders.intervals;
-        if mu0 == 0.0 {
-            return source[source.len() - 1];
-        }
-        let rows: Vec<Vec<f64>> =
-            self.grid.widths.iter().map(|width| self.orders.collocation.leaving(width / mu0)).collect();
-        self.grid.panels.iter().enumerate().fold(0.0, |radiance, (k, &panel)| {
-            let row = &rows[panel];
-            row[p] * radiance + dot(&row[..p], &source[k * p + 1..=(k + 1) * p])
-        })
-    }
-}
-
-/// Transport coefficients of one width, streams innermost.
-fn through(orders: &Orders, width: f64) -> Vec<f64> {
-    let (count, p) = (orders.streams.count(), orders.intervals);
-    let mut table = vec![0.0; p * (p + 1) * count];
-    for (m, mu) in orders.streams.mu.iter().enumerate() {
-        for (i, row) in orders.collocation.through(width / mu).iter().enumerate() {
-            for (j, value) in row.iter().enumerate() {
-                table[(i * (p + 1) + j) * count + m] = *value;
-            }
-        }
-    }
-    table
-}

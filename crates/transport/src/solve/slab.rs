@@ -47,9 +47,9 @@ impl<'a> Slab<'a> {
     /// Lit by twice the radiances `lit` (times √w) in the streams.
     fn lit_by(modes: &'a Modes, tau: f64, lit: &[f64]) -> Self {
         let (phi, psi) = (&modes.sum, &modes.difference);
-        let even =
-            |i: usize, j: usize| phi[(j, i)] + modes.decay[j] * slope(modes.decay[j], tau).0 * psi[(j, i)];
-        let odd = |i: usize, j: usize| psi[(j, i)] + slope(modes.decay[j], tau).1 * phi[(j, i)];
+        let slopes: Vec<(f64, f64)> = modes.decay.iter().map(|k| slope(*k, tau)).collect();
+        let even = |i: usize, j: usize| phi[(j, i)] + modes.decay[j] * slopes[j].0 * psi[(j, i)];
+        let odd = |i: usize, j: usize| psi[(j, i)] + slopes[j].1 * phi[(j, i)];
         let count = lit.len();
         let even = Matrix::from_fn(count, even).solve(lit.to_vec());
         let odd = Matrix::from_fn(count, odd).solve(lit.to_vec());

@@ -10,20 +10,20 @@
 use super::kernel::Kernel;
 use super::medium::SolveMedium;
 use super::modes::Modes;
-use super::orders::Orders;
+use super::orders::{Light, Orders};
 use super::slab::{Direction, Pair, Slab};
 use super::solved::Solved;
 use crate::TransportError;
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use stratiform_quantities::{Incidence, OpticalThickness, Order, Range};
 
 /// Streams per hemisphere.
 const LADDER: [usize; 8] = [12, 16, 24, 32, 48, 64, 96, 128];
 
 /// Streams that the kernels serve; larger ones are prepared when they are first needed.
-const SIZES: [usize; 3] = [32, 64, 128];
+const SIZES: [usize; 2] = [64, 128];
 
 /// Streams that can be asked for.
 const STREAMS: Range = Range::closed(1.0, 128.0);
@@ -48,7 +48,7 @@ pub struct Solver {
     /// What neglected moments could add.
     neglected: f64,
     tolerance: f64,
-    kernels: [OnceLock<Kernel>; SIZES.len()],
+    kernels: Arc<[OnceLock<Kernel>; SIZES.len()]>,
     /// Of the ladder's rungs, kept because they serve every slab.
     modes: [OnceLock<Modes>; LADDER.len()],
 }
@@ -79,6 +79,11 @@ impl Solver {
         self.kernels[place].get_or_init(|| Kernel::new(self.moments.clone(), SIZES[place]))
     }
 
+    /// Prepares what solving with `streams` needs of the medium alone, 128 at most.
+    pub fn prepare(&self, streams: usize) {
+        self.kernel(streams.min(SIZES[SIZES.len() - 1]));
+    }
+
     /// The medium.
     pub fn medium(&self) -> &SolveMedium {
         &self.medium
@@ -105,7 +110,10 @@ impl Solver {
     /// [`TransportError::Tolerance`] if 128 streams do not suffice.
     pub fn totals(&self, tau: &[f64], incidence: &[Incidence]) -> Result<Solved, TransportError> {
         check(tau, incidence)?;
-        let rows = |count: usize| self.rung(count, tau, incidence);
+        let rows = |count: usize| {
+            let modes = self.modes(count);
+            self.rung(&modes, tau, &self.lights(&modes, incidence))
+        };
         let solved = self.climb(rows, |row| self.caution(tau, row / 2))?;
         Ok(Solved::new(self, (tau, incidence), vec![Order::Total], solved))
     }
@@ -124,7 +132,8 @@ impl Solver {
     ) -> Result<Vec<(f64, f64)>, TransportError> {
         check(tau, incidence)?;
         STREAMS.check("streams", streams as f64)?;
-        let values = self.rung(streams, tau, incidence);
+        let modes = self.modes(streams);
+        let values = self.rung(&modes, tau, &self.lights(&modes, incidence));
         Ok(values.chunks(2).map(|pair| (pair[0], pair[1])).collect())
     }
 
@@ -142,8 +151,10 @@ impl Solver {
         check(tau, incidence)?;
         ORDERS.check("orders", f64::from(max_order))?;
         let rows = |count: usize| {
-            let totals = self.rung(count, tau, incidence);
-            let orders = self.order_rung(count, tau, incidence, max_order as usize);
+            let modes = self.modes(count);
+            let lights = self.lights(&modes, incidence);
+            let totals = self.rung(&modes, tau, &lights);
+            let orders = self.order_rung(&modes, tau, &lights, max_order as usize);
             with_tails(&orders, &totals)
         };
         let listed: Vec<Order> = Order::rows(max_order).collect();
@@ -197,45 +208,41 @@ impl Solver {
         if third.is_finite() && step.is_finite() { step + self.neglected + ROUNDING } else { f64::INFINITY }
     }
 
-    /// Orders with `count` streams, a list for each incidence and thickness inside it.
-    fn order_rung(
-        &self,
-        count: usize,
-        tau: &[f64],
-        incidence: &[Incidence],
-        max_order: usize,
-    ) -> Vec<Vec<Pair>> {
-        // Depth is refined along with angle, so that the ladder sees both errors.
-        let intervals = 6 + LADDER.iter().take_while(|rung| **rung < count).count();
-        let kernel = self.kernel(count);
-        let orders = Orders::new(kernel, count, intervals, self.medium.albedo, max_order);
-        let view = |incidence: &Incidence| match incidence {
-            Incidence::Diffuse => None,
-            Incidence::Beam(mu0) => Some(orders.view(kernel, mu0.get())),
+    /// The incidences as the streams of `modes` see them.
+    fn lights(&self, modes: &Modes, incidence: &[Incidence]) -> Vec<Light> {
+        let kernel = self.kernel(modes.streams.count());
+        let light = |incidence: &Incidence| match incidence {
+            Incidence::Diffuse => Light::Diffuse,
+            Incidence::Beam(mu0) => Light::Beam(mu0.get(), kernel.towards(mu0.get(), &modes.streams)),
         };
-        let views: Vec<_> = incidence.iter().map(view).collect();
-        let slabs: Vec<Vec<Vec<Pair>>> =
-            tau.par_iter().map(|tau| orders.of_slab(tau * self.medium.extinction, &views)).collect();
-        (0..incidence.len()).flat_map(|i| slabs.iter().map(move |slab| slab[i].clone())).collect()
+        incidence.iter().map(light).collect()
     }
 
-    /// R and T with `count` streams: incidences outside, thicknesses inside.
-    fn rung(&self, count: usize, tau: &[f64], incidence: &[Incidence]) -> Vec<f64> {
-        let (kernel, modes) = (self.kernel(count), self.modes(count));
-        let directions: Vec<Option<Direction>> = incidence
+    /// Orders with the streams of `modes`, a list for each incidence and thickness inside it.
+    fn order_rung(&self, modes: &Modes, tau: &[f64], lights: &[Light], max_order: usize) -> Vec<Vec<Pair>> {
+        let (streams, albedo) = (&modes.streams, self.medium.albedo);
+        // Depth is refined along with angle, so that the ladder sees both errors.
+        let intervals = 6 + LADDER.iter().take_while(|rung| **rung < streams.count()).count();
+        let orders = Orders::new(self.kernel(streams.count()), streams, intervals, albedo, lights, max_order);
+        let slabs: Vec<Vec<Vec<Pair>>> =
+            tau.par_iter().map(|tau| orders.of_slab(tau * self.medium.extinction)).collect();
+        (0..lights.len()).flat_map(|i| slabs.iter().map(move |slab| slab[i].clone())).collect()
+    }
+
+    /// R and T by `modes`: incidences outside, thicknesses inside.
+    fn rung(&self, modes: &Modes, tau: &[f64], lights: &[Light]) -> Vec<f64> {
+        let directions: Vec<Option<Direction>> = lights
             .iter()
-            .map(|incidence| match incidence {
-                Incidence::Diffuse => None,
-                Incidence::Beam(mu0) => {
-                    let mu0 = mu0.get();
-                    let (sum, difference) = modes.towards(kernel, mu0);
-                    Some(Direction { mu0, sum, difference })
+            .map(|light| match light {
+                Light::Diffuse => None,
+                Light::Beam(mu0, towards) => {
+                    let (sum, difference) = modes.towards(towards);
+                    Some(Direction { mu0: *mu0, sum, difference })
                 }
             })
             .collect();
-        let slabs: Vec<Slab> =
-            tau.iter().map(|tau| Slab::new(&modes, tau * self.medium.extinction)).collect();
-        let mut values = Vec::with_capacity(2 * tau.len() * incidence.len());
+        let slabs: Vec<Slab> = tau.iter().map(|tau| Slab::new(modes, tau * self.medium.extinction)).collect();
+        let mut values = Vec::with_capacity(2 * tau.len() * lights.len());
         for direction in &directions {
             for slab in &slabs {
                 let Pair { reflectance, transmittance } = direction
