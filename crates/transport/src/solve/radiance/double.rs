@@ -4,7 +4,7 @@
 //! depends on Ω' only through μ', so that the product of phase functions is integrated over azimuth once and
 //! serves every thickness and every scaled medium. Panels shrink towards sun and view direction in zenith
 //! angle and azimuth down to the width of the peak, towards the horizon (a kink), and, where P jumps at θ_f,
-//! end on the circles round both directions at which it does.
+//! end on the circles round both directions at which it does. Elsewhere they are as wide in azimuth as their arc allows.
 //!
 //! In a scaled medium P'' = (P - fδ)/(1-f): the δ parts are closed forms too. The error is the
 //! difference of Gauss rules.
@@ -180,10 +180,7 @@ impl Circle {
         self.break_around(phase, peaks, [-widest, end + widest]);
         self.azimuths.clear();
         self.weights.clear();
-        rule.visit([0.0, end], widest, &self.breaks, |phi, weight| {
-            self.azimuths.push(phi);
-            self.weights.push(weight);
-        });
+        rule.list([0.0, end], widest, &self.breaks, [&mut self.azimuths, &mut self.weights]);
         self.from_sun.resize(self.azimuths.len(), 0.0);
         self.to_view.resize(self.azimuths.len(), 0.0);
         let rings = [&self.rings[0], &self.rings[1]];

@@ -21,7 +21,7 @@ pub(super) struct Rule {
     weights: &'static [f64],
 }
 
-/// A panel halved until no wider than its distance to a break is half as wide on average; this lets it be as wide.
+/// Widest panel in units of what is allowed: halves are then between 1/√2 and √2 of it, not between ½ and 1.
 const WIDTH: f64 = SQRT_2;
 
 impl Rule {
@@ -32,38 +32,48 @@ impl Rule {
     }
 
     /// Σ weight · f(point) over \[`start`, `end`\], panels about as wide as their distance to any break or as `widest`.
-    pub(super) fn visit(
-        &self,
-        [start, end]: [f64; 2],
-        widest: f64,
-        breaks: &[Break],
-        mut f: impl FnMut(f64, f64),
-    ) {
-        let mut from = start;
-        while from < end {
-            let inside = breaks.iter().map(|point| point.at).filter(|at| *at > from);
-            let to = inside.fold(end, f64::min);
-            self.split([from, to], widest, breaks, &mut f);
-            from = to;
-        }
+    pub(super) fn visit(&self, ends: [f64; 2], widest: f64, breaks: &[Break], mut f: impl FnMut(f64, f64)) {
+        panels(ends, widest, breaks, |start, width| {
+            self.points.iter().zip(self.weights).for_each(|(x, w)| f(start + width * x, width * w));
+        });
     }
 
-    fn split(&self, [a, b]: [f64; 2], widest: f64, breaks: &[Break], f: &mut impl FnMut(f64, f64)) {
-        let width = b - a;
-        if width <= 0.0 {
-            return;
-        }
-        let allowed = breaks.iter().fold(widest, |allowed, point| {
-            let distance = larger(larger(a - point.at, point.at - b), point.least);
-            if distance < allowed { distance } else { allowed }
+    /// Appends the points and the weights.
+    pub(super) fn list(&self, ends: [f64; 2], widest: f64, breaks: &[Break], lists: [&mut Vec<f64>; 2]) {
+        let [points, weights] = lists;
+        panels(ends, widest, breaks, |start, width| {
+            points.extend(self.points.iter().map(|x| start + width * x));
+            weights.extend(self.weights.iter().map(|w| width * w));
         });
-        if width > WIDTH * allowed {
-            let middle = 0.5 * (a + b);
-            self.split([a, middle], widest, breaks, f);
-            self.split([middle, b], widest, breaks, f);
-        } else {
-            self.points.iter().zip(self.weights).for_each(|(x, w)| f(a + width * x, width * w));
-        }
+    }
+}
+
+/// Start and width of each panel.
+fn panels([start, end]: [f64; 2], widest: f64, breaks: &[Break], mut f: impl FnMut(f64, f64)) {
+    let mut from = start;
+    while from < end {
+        let inside = breaks.iter().map(|point| point.at).filter(|at| *at > from);
+        let to = inside.fold(end, f64::min);
+        split([from, to], widest, breaks, &mut f);
+        from = to;
+    }
+}
+
+fn split([a, b]: [f64; 2], widest: f64, breaks: &[Break], f: &mut impl FnMut(f64, f64)) {
+    let width = b - a;
+    if width <= 0.0 {
+        return;
+    }
+    let allowed = breaks.iter().fold(widest, |allowed, point| {
+        let distance = larger(larger(a - point.at, point.at - b), point.least);
+        if distance < allowed { distance } else { allowed }
+    });
+    if width > WIDTH * allowed {
+        let middle = 0.5 * (a + b);
+        split([a, middle], widest, breaks, f);
+        split([middle, b], widest, breaks, f);
+    } else {
+        f(a, width);
     }
 }
 
