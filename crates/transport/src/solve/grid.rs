@@ -83,15 +83,12 @@ impl Collocation {
         self.derivative.size() - 1
     }
 
-    /// Row i - 1: what sources at points 1…p, then radiance at point 0, give at point i.
+    /// Columns: what each source at points 1…p, then radiance at point 0, gives at points 1…p.
     pub(crate) fn through(&self, ratio: f64) -> Vec<Vec<f64>> {
         let p = self.intervals();
-        let inverse = self.shifted(ratio).inverse();
-        let row = |i: usize| {
-            let from_start = (0..p).fold(0.0, |sum, j| sum - inverse[(i, j)] * self.derivative[(j + 1, 0)]);
-            (0..p).map(|j| ratio * inverse[(i, j)]).chain([from_start]).collect()
-        };
-        (0..p).map(row).collect()
+        let source = |j: usize| (0..p).map(|i| if i == j { ratio } else { 0.0 }).collect();
+        let start = (1..=p).map(|i| -self.derivative[(i, 0)]).collect();
+        self.shifted(ratio).solve_each((0..p).map(source).chain([start]).collect())
     }
 
     /// Only the last row of [`through`](Self::through): the radiance that leaves. At infinity it is the last source.
@@ -128,8 +125,8 @@ mod tests {
             let decay = libm::exp(-ratio);
             let expected = 0.7 * decay + 1.0 + libm::expm1(-ratio) / ratio;
             assert!((found - expected).abs() < 1e-10, "{ratio}: {:e}", found - expected);
-            let last = &collocation.through(ratio)[11];
-            assert!(row.iter().zip(last).all(|(a, b)| (a - b).abs() < 1e-10 * (1.0 + a.abs())), "{ratio}");
+            let last: Vec<f64> = collocation.through(ratio).iter().map(|column| column[11]).collect();
+            assert!(row.iter().zip(&last).all(|(a, b)| (a - b).abs() < 1e-10 * (1.0 + a.abs())), "{ratio}");
         }
     }
 

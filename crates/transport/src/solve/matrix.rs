@@ -1,4 +1,4 @@
-//! Dense real matrices of a few dozen rows, and the three factorisations the solver needs.
+//! Dense real matrices of a few dozen rows, and the factorisations the solver needs.
 //!
 //! Own code, because a general library (faer: 43 crates, 90 s to build) buys nothing at this size, picks
 //! its kernels by processor and with them its last bits. Row-major; every loop runs in a fixed order.
@@ -63,53 +63,9 @@ impl Matrix {
         product
     }
 
-    /// Lower triangular L with L Lᵀ = self; a pivot that rounding made negative counts as zero.
-    pub(crate) fn cholesky(&self) -> Self {
-        let mut l = Self::zeros(self.size);
-        for i in 0..self.size {
-            for j in 0..=i {
-                let sum = self[(i, j)] - dot(&l.row(i)[..j], &l.row(j)[..j]);
-                l[(i, j)] = if i == j {
-                    sum.max(0.0).sqrt()
-                } else if l[(j, j)] > 0.0 {
-                    sum / l[(j, j)]
-                } else {
-                    0.0
-                };
-            }
-        }
-        l
-    }
-
-    /// The inverse, by Gauss–Jordan elimination with row pivots.
-    pub(crate) fn inverse(mut self) -> Self {
-        let n = self.size;
-        let mut inverse = Self::from_fn(n, |i, j| if i == j { 1.0 } else { 0.0 });
-        for k in 0..n {
-            let pivot = self.pivot(k);
-            if pivot != k {
-                for matrix in [&mut self, &mut inverse] {
-                    let (a, b) = matrix.two_rows(k, pivot);
-                    a.swap_with_slice(b);
-                }
-            }
-            let scale = 1.0 / self[(k, k)];
-            self.row_mut(k).iter_mut().chain(inverse.row_mut(k)).for_each(|value| *value *= scale);
-            for i in (0..n).filter(|i| *i != k) {
-                let factor = -self[(i, k)];
-                for matrix in [&mut self, &mut inverse] {
-                    let (low, high) = matrix.two_rows(i.min(k), i.max(k));
-                    let (source, target) = if i < k { (high, low) } else { (low, high) };
-                    add_scaled(target, factor, source);
-                }
-            }
-        }
-        inverse
-    }
-
-    /// The row at or below `k` with the largest element in column `k`.
-    fn pivot(&self, k: usize) -> usize {
-        (k..self.size).fold(k, |best, i| if self[(i, k)].abs() > self[(best, k)].abs() { i } else { best })
+    /// Upper triangular U with UᵀU = self, of which the lower half is not read; a pivot that rounding made negative counts as zero.
+    pub(crate) fn cholesky(self) -> Self {
+        factor(self)
     }
 
     /// Solution of self · x = `right`, by elimination with row pivots. Destroys the matrix.
@@ -119,35 +75,68 @@ impl Matrix {
 
     /// The same for several right sides.
     pub(crate) fn solve_each(self, rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-        eliminate(self, rights)
+        eliminate(&self, &rights)
+    }
+
+    /// Solution of self · X = `right`, this matrix being upper triangular.
+    pub(crate) fn solve_upper(&self, right: Self) -> Self {
+        substitute(self, right)
     }
 }
 
-/// Gaussian elimination in a processor's lanes: nothing is fused or reordered, the bits are the same on all.
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
-fn eliminate(mut a: Matrix, mut rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+fn factor(mut u: Matrix) -> Matrix {
+    for i in 0..u.size {
+        u.row_mut(i)[..i].fill(0.0);
+        for k in 0..i {
+            let (above, row) = u.two_rows(k, i);
+            add_scaled(&mut row[i..], -above[i], &above[i..]);
+        }
+        let pivot = u[(i, i)].max(0.0).sqrt();
+        let scale = |value: &mut f64| *value = if pivot > 0.0 { *value / pivot } else { 0.0 };
+        u.row_mut(i)[i..].iter_mut().for_each(scale);
+    }
+    u
+}
+
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn substitute(upper: &Matrix, mut right: Matrix) -> Matrix {
+    for k in (0..right.size).rev() {
+        for j in k + 1..right.size {
+            let (row, below) = right.two_rows(k, j);
+            add_scaled(row, -upper[(k, j)], below);
+        }
+        let pivot = upper[(k, k)];
+        right.row_mut(k).iter_mut().for_each(|value| *value /= pivot);
+    }
+    right
+}
+
+/// Gaussian elimination in a processor's lanes, right sides behind their rows: nothing is fused or reordered, the bits are
+/// the same on all.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn eliminate(a: &Matrix, rights: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let n = a.size;
+    let row = |i: usize| a.row(i).iter().copied().chain(rights.iter().map(|right| right[i])).collect();
+    let mut rows: Vec<Vec<f64>> = (0..n).map(row).collect();
     for k in 0..n {
-        let pivot = a.pivot(k);
-        if pivot != k {
-            let (top, low) = a.two_rows(k, pivot);
-            top.swap_with_slice(low);
-            rights.iter_mut().for_each(|right| right.swap(k, pivot));
-        }
-        let inverse = 1.0 / a[(k, k)];
-        for i in k + 1..n {
-            let (above, row) = a.two_rows(k, i);
+        // The largest element of column k.
+        let pivot = (k..n).fold(k, |best, i| if rows[i][k].abs() > rows[best][k].abs() { i } else { best });
+        rows.swap(k, pivot);
+        let (above, below) = rows.split_at_mut(k + 1);
+        let inverse = 1.0 / above[k][k];
+        for row in below {
             let factor = row[k] * inverse;
-            add_scaled(&mut row[k + 1..], -factor, &above[k + 1..]);
-            rights.iter_mut().for_each(|right| right[i] -= factor * right[k]);
+            add_scaled(&mut row[k + 1..], -factor, &above[k][k + 1..]);
         }
     }
-    for right in &mut rights {
-        for k in (0..n).rev() {
-            right[k] = (right[k] - dot(&a.row(k)[k + 1..], &right[k + 1..])) / a[(k, k)];
-        }
+    for k in (0..n).rev() {
+        let (above, below) = rows.split_at_mut(k + 1);
+        let (left, right) = above[k].split_at_mut(n);
+        left[k + 1..].iter().zip(below).for_each(|(factor, row)| add_scaled(right, -factor, &row[n..]));
+        right.iter_mut().for_each(|value| *value /= left[k]);
     }
-    rights
+    (n..n + rights.len()).map(|column| rows.iter().map(|row| row[column]).collect()).collect()
 }
 
 #[cfg(test)]
@@ -228,9 +217,11 @@ mod tests {
             let x: Vec<f64> = (0..n).map(|i| 1.0 - 0.3 * i as f64).collect();
             let solved = a.clone().solve(a.times_row(&x));
             assert!(solved.iter().zip(&x).all(|(s, x)| (s - x).abs() < 1e-12), "{n}");
-            let l = a.cholesky();
-            let product = l.times(&l.transposed());
+            let u = a.clone().cholesky();
+            let product = u.transposed().times(&u);
             assert!((0..n * n).all(|i| (product.data[i] - a.data[i]).abs() < 1e-13), "{n}");
+            let solved = u.solve_upper(u.times(&a));
+            assert!((0..n * n).all(|i| (solved.data[i] - a.data[i]).abs() < 1e-12), "{n}");
         }
     }
 }

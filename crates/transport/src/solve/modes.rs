@@ -61,19 +61,9 @@ pub(crate) fn decay(
         Matrix::from_fn(count, |i, j| (if i == j { 1.0 } else { 0.0 }) - omega * kernel[(i, j)])
     };
     let (f, l) = (less(even).cholesky(), less(odd).cholesky());
-    let scaled = Matrix::from_fn(count, |j, m| l[(m, j)] / mu[m]);
-    let (rates, vectors) = singular(scaled.times(&f));
+    let scaled = Matrix::from_fn(count, |j, m| l[(j, m)] / mu[m]);
+    let (rates, vectors) = singular(scaled.times(&f.transposed()));
     let sum = vectors.times(&scaled);
-    let mut difference = vectors;
-    (0..count).for_each(|j| solve_transposed(&l, difference.row_mut(j)));
+    let difference = l.solve_upper(vectors.transposed()).transposed();
     Decay { rates, sum, difference }
-}
-
-/// Solves Lᵀx = `right` in place.
-fn solve_transposed(l: &Matrix, right: &mut [f64]) {
-    for k in (0..right.len()).rev() {
-        right[k] /= l[(k, k)];
-        let value = right[k];
-        right[..k].iter_mut().zip(&l.row(k)[..k]).for_each(|(r, factor)| *r -= value * factor);
-    }
 }
