@@ -31,8 +31,8 @@ impl Cell {
         0.25 * doubled.integral(2.0 * t)
     }
 
-    /// The t ∈ \[0, `width`\] at which [`integral`](Self::integral) equals `target`: Halley's method, kept inside a
-    /// bracket that each step shrinks. It triples the digits, so that a step of 3e-6 of the way to either end is the last.
+    /// The t ∈ \[0, `width`\] at which [`integral`](Self::integral) equals `target`: Newton's method, kept inside a
+    /// bracket that each step shrinks. It doubles the digits, so that a step of 1e-8 of the way to either end is the last.
     pub(super) fn invert(&self, target: f64, width: f64) -> f64 {
         let start = libm::sincos(self.start);
         let (mut low, mut high) = (0.0, width);
@@ -46,13 +46,10 @@ impl Cell {
             } else {
                 low = t;
             }
-            let end = half.after(middle);
-            let density = self.density(t, end);
-            let newton = excess / density;
-            let halley = t - newton / (1.0 - 0.5 * newton * self.rise(t, end) / density);
-            let next = if halley > low && halley < high { halley } else { 0.5 * (low + high) };
+            let newton = t - excess / self.density(t, half.after(middle));
+            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
             let step = (next - t).abs();
-            let short = next == halley && step <= 3e-6 * next.min(width - next);
+            let short = next == newton && step <= 1e-8 * next.min(width - next);
             if short || step <= f64::EPSILON * (self.start + t) {
                 return next;
             }
@@ -64,11 +61,6 @@ impl Cell {
     /// P sinΘ, sine and cosine of Θ given.
     fn density(&self, t: f64, (sine, _): (f64, f64)) -> f64 {
         (self.value + self.slope * t) * sine
-    }
-
-    /// Its derivative.
-    fn rise(&self, t: f64, (sine, cosine): (f64, f64)) -> f64 {
-        self.slope * sine + (self.value + self.slope * t) * cosine
     }
 
     /// The t at which a density that is linear between the cell's ends has the integral `target`.
