@@ -9,7 +9,8 @@ use stratiform_artifact::ParametersDocument;
 use stratiform_cli::config::Config;
 use stratiform_cli::pipeline::accepted;
 use stratiform_cli::pipeline::optics::Cloud;
-use stratiform_cli::pipeline::reference::{Media, Plan, fit_reference};
+use stratiform_cli::pipeline::photons::{self, Wanted};
+use stratiform_cli::pipeline::reference::{Media, Plan};
 use stratiform_fit::Reference;
 use stratiform_optics::phase::{Norm, PhaseTable};
 use stratiform_quantities::SingleScatteringAlbedo;
@@ -78,6 +79,6 @@ pub fn accepted_cloud(config: &Config) -> (ParametersDocument, Cloud) {
 pub fn fresh_reference(config: &Config, cloud: &Cloud, photons: u64, seed: u64) -> Vec<Reference> {
     let plan = Plan::nodes(config, cloud, photons, seed);
     let media = Media::new(config, cloud).expect("the media");
-    let traced = plan.trace(&media, &|_| ()).expect("the trace");
-    traced.iter().map(|traced| fit_reference(config, traced)).collect()
+    let traced = photons::trace(config, &media, &plan, Wanted::Fitted, &|_| ()).expect("the trace");
+    traced.into_iter().map(|traced| traced.reference).collect()
 }

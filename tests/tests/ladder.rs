@@ -27,14 +27,16 @@ fn the_committed_ladder_is_whole() {
     let rows = committed();
     for name in ["solver", "monte-carlo", "model", "f32", "interpolation", "shader", "together"] {
         let rows = rung(&rows, name);
-        assert_eq!(rows.len(), 16, "{name}: eight fluxes, to 80 degrees and all");
+        // Of the photons' fluxes all but the tails, which the fit does not ask for.
+        let fluxes = if name == "monte-carlo" { 6 } else { 8 };
+        assert_eq!(rows.len(), 2 * fluxes, "{name}: to 80 degrees and all");
         assert!(rows.iter().all(|row| row.rms.is_some() && row.worst.is_some()), "{name} is not measured");
     }
     let worst = |name| rung(&rows, name).iter().filter_map(|row| row.worst).fold(0.0, f64::max);
     assert!(worst("solver") <= paper_config().transport.tolerance);
     assert!(worst("f32") < 1e-6 && worst("shader") < SHADER, "{} {}", worst("f32"), worst("shader"));
     // Thicknesses of one incidence share their photons: of nine independent rows the rms is below 0.4 of what is expected, or above
-    // twice that, with probabilities of 0.0024 and 4e-5; there are 16.
+    // twice that, with probabilities of 0.0024 and 4e-5; there are 12.
     for row in rung(&rows, "monte-carlo") {
         let ratio = row.rms.unwrap() / row.expected_rms.unwrap();
         assert!((0.4..2.0).contains(&ratio), "{row:?}");

@@ -20,8 +20,9 @@ pub fn install() {
     });
 }
 
+/// Ends the process.
 #[expect(clippy::exit, reason = "nobody looks at the flag")]
-fn end() {
+pub fn end() -> ! {
     std::process::exit(i32::from(INTERRUPTED));
 }
 

@@ -1,6 +1,6 @@
 //! stdout is data: written once, whole, when everything has succeeded. stderr is talk.
 
-use crate::CliError;
+use crate::{CliError, progress};
 use std::io::{ErrorKind, Write};
 
 /// What a command hands to `main` for stdout.
@@ -48,7 +48,7 @@ impl Talk {
     #[expect(clippy::print_stderr, reason = "the one place where the command talks")]
     pub fn say(self, line: impl std::fmt::Display) {
         if !self.quiet {
-            eprintln!("{line}");
+            progress::beside_bars(|| eprintln!("{line}"));
         }
     }
 }

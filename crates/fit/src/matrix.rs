@@ -1,5 +1,10 @@
 //! A small dense matrix, stored by columns.
 
+use std::ops::Range;
+
+/// Rows of a product worked out side by side.
+const BLOCK: usize = 32;
+
 /// Dense `rows` × `columns` matrix of f64.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Matrix {
@@ -88,19 +93,53 @@ impl Matrix {
         (0..self.columns).map(|j| dot(self.column(j), v)).collect()
     }
 
+    /// A·B.
+    pub(crate) fn product(&self, other: &Self) -> Self {
+        let mut out = Self::zeros(self.rows, other.columns);
+        for first in (0..self.rows).step_by(BLOCK) {
+            let rows = first..self.rows.min(first + BLOCK);
+            for j in 0..other.columns {
+                let mut sums = [0.0; BLOCK];
+                for (k, factor) in other.column(j).iter().enumerate() {
+                    let column = &self.column(k)[rows.clone()];
+                    sums.iter_mut().zip(column).for_each(|(sum, element)| *sum += element * factor);
+                }
+                out.column_mut(j)[rows.clone()].copy_from_slice(&sums[..rows.len()]);
+            }
+        }
+        out
+    }
+
     /// Whether every element is finite.
     pub fn is_finite(&self) -> bool {
         self.data.iter().all(|value| value.is_finite())
     }
 }
 
-/// Σ aᵢbᵢ, summed in order.
+/// Sums side by side.
+const LANES: usize = 8;
+
+/// Σ aᵢbᵢ, in lanes.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).fold(0.0, |sum, (x, y)| sum + x * y)
+    let (a, a_rest) = a.as_chunks::<LANES>();
+    let (b, b_rest) = b.as_chunks::<LANES>();
+    let mut sums = [0.0; LANES];
+    for (a, b) in a.iter().zip(b) {
+        (0..LANES).for_each(|i| sums[i] += a[i] * b[i]);
+    }
+    let rest = a_rest.iter().zip(b_rest).fold(0.0, |sum, (a, b)| sum + a * b);
+    sums.iter().fold(rest, |sum, lane| sum + lane)
 }
+
+/// Squares of lengths that neither overflow nor underflow.
+const PLAIN: Range<f64> = 1e-200..1e200;
 
 /// Euclidean norm, scaled so that no square overflows or underflows.
 pub(crate) fn norm(v: &[f64]) -> f64 {
+    let square = dot(v, v);
+    if PLAIN.contains(&square) {
+        return square.sqrt();
+    }
     let largest = v.iter().fold(0.0_f64, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) });
     if largest == 0.0 || !largest.is_finite() {
         return largest;
@@ -111,6 +150,16 @@ pub(crate) fn norm(v: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_product_is_one_of_its_columns() {
+        let element = |i: usize, j: usize| (1 + i * i + 3 * j) as f64 / (2 + i + j) as f64;
+        let mut a = Matrix::zeros(2 * BLOCK + 3, 4);
+        (0..a.rows).for_each(|i| (0..4).for_each(|j| a.set(i, j, element(i, j))));
+        let b = Matrix::square(4, element);
+        let product = a.product(&b);
+        (0..4).for_each(|j| assert_eq!(product.column(j), a.times(b.column(j))));
+    }
 
     #[test]
     fn norms_neither_overflow_nor_hide_nan() {

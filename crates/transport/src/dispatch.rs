@@ -4,6 +4,7 @@
 
 use crate::Control;
 use crate::flock::Flock;
+use crate::flux_flock;
 use crate::half_space::HalfSpace;
 use crate::real::Real;
 use crate::tally::Tally;
@@ -68,7 +69,12 @@ pub(crate) struct Job<'a> {
 impl Job<'_> {
     #[inline(always)]
     fn run<R: Real>(self) {
-        Flock::<R>::trace(self.half_space, self.photons, self.tallies, self.control);
+        match self.half_space.fluxes {
+            None => Flock::<R>::trace(self.half_space, self.photons, self.tallies, self.control),
+            Some(extent) => {
+                flux_flock::trace::<R>(self.half_space, extent, self.photons, self.tallies, self.control);
+            }
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 
 use crate::Control;
 use crate::half_space::HalfSpace;
-use crate::lanes::{Block, Events, LANES, Photon, lane_of};
+use crate::lanes::{Block, Events, LANES, LanesOf, Photon};
 use crate::launches::Launches;
 use crate::ledger::Ledger;
 use crate::real::Real;
@@ -77,15 +77,11 @@ impl<'a, R: Real> Flock<'a, R> {
 
     #[inline(always)]
     fn settle_all(&mut self, events: Events) {
-        let mut absorbed = events.absorbed;
-        while absorbed != 0 {
-            self.absorb(lane_of(absorbed.trailing_zeros()) % LANES);
-            absorbed &= absorbed - 1;
+        for lane in LanesOf(events.absorbed) {
+            self.absorb(lane);
         }
-        let mut left = events.left;
-        while left != 0 {
-            self.settle(lane_of(left.trailing_zeros()) % LANES);
-            left &= left - 1;
+        for lane in LanesOf(events.left) {
+            self.settle(lane);
         }
     }
 
@@ -120,7 +116,7 @@ impl<'a, R: Real> Flock<'a, R> {
 
     /// Counts the rows from `row` on whose bottoms are above `depth`; returns the first that is not.
     #[inline(never)]
-    fn pass(&mut self, mut row: usize, depth: R, order: u32) -> usize {
+    fn pass(&mut self, mut row: usize, depth: R, order: u64) -> usize {
         while depth >= self.bottoms[row] {
             self.ledger.leave(false, row, order);
             row += 1;

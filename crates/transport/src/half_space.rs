@@ -9,7 +9,7 @@
 use crate::dispatch::{Job, dispatch};
 use crate::run::{Estimator, run};
 use crate::tally::Tally;
-use crate::{Control, Kernel, TraceMedium, TraceRequest, Traced, TransportError};
+use crate::{Control, Extent, Fluxes, Kernel, TraceMedium, TraceRequest, Traced, TransportError};
 use std::ops::Range;
 use stratiform_quantities::Incidence;
 use stratiform_stats::{Purpose, key};
@@ -39,6 +39,23 @@ pub fn trace_half_space_with(
     run(medium, request, control, |medium, request, tau| HalfSpace::new(kernel, medium, request, tau))
 }
 
+/// The same photons' fluxes alone, as far as `extent` says: faster, the more slabs the better.
+///
+/// # Errors
+/// As [`trace_half_space`].
+pub fn trace_fluxes(
+    medium: &TraceMedium,
+    request: &TraceRequest,
+    extent: Extent,
+    control: Control<'_>,
+) -> Result<Fluxes, TransportError> {
+    let traced = run(medium, request, control, |medium, request, tau| HalfSpace {
+        fluxes: Some(extent),
+        ..HalfSpace::new(Kernel::default(), medium, request, tau)
+    })?;
+    Ok(Fluxes::new(traced, extent))
+}
+
 /// The half space with the depths at which something is counted, in its own extinction.
 pub(crate) struct HalfSpace<'a> {
     kernel: Kernel,
@@ -49,6 +66,8 @@ pub(crate) struct HalfSpace<'a> {
     /// A collision absorbs where its random word is not below this: ω to within 1.2·10⁻¹⁰.
     pub absorbs_from: u64,
     pub key: u64,
+    /// Whether fluxes alone are counted, and how far.
+    pub fluxes: Option<Extent>,
 }
 
 impl<'a> HalfSpace<'a> {
@@ -60,6 +79,7 @@ impl<'a> HalfSpace<'a> {
             incidence: request.incidence,
             absorbs_from: (medium.albedo() * 4_294_967_296.0).round() as u64,
             key: key(request.seed, Purpose::HalfSpaceTracer(request.stream)),
+            fluxes: None,
         }
     }
 }

@@ -34,14 +34,14 @@ pub(crate) struct Photon<R> {
 #[derive(Clone)]
 pub(crate) struct Block<R> {
     /// Steps done.
-    pub steps: u32,
+    pub steps: u64,
     pub streams: Streams,
     pub mu: Row<R>,
     pub depth: Row<R>,
     pub bottom: Row<R>,
     pub row: Row<u32>,
     /// Steps done when the photon had no scattering yet.
-    born: Row<u32>,
+    born: Row<u64>,
 }
 
 /// What a step brought about, one bit per lane.
@@ -79,8 +79,21 @@ impl<R: Real> Block<R> {
 
     /// Scatterings of the photon in `lane`.
     #[inline(always)]
-    pub fn order(&self, lane: usize) -> u32 {
+    pub fn order(&self, lane: usize) -> u64 {
         self.steps.wrapping_sub(self.born.0[lane])
+    }
+
+    /// The photon in `lane`, to go on as if it had had no scattering yet, in the row `row`.
+    #[inline(always)]
+    pub fn photon(&self, lane: usize, row: u32) -> Photon<R> {
+        Photon {
+            state: self.streams.state.0[lane],
+            increment: self.streams.increment.0[lane],
+            mu: self.mu.0[lane],
+            depth: self.depth.0[lane],
+            bottom: self.bottom.0[lane],
+            row,
+        }
     }
 
     pub fn is_parked(&self, lane: usize) -> bool {
@@ -123,7 +136,7 @@ impl<R: Real> Block<R> {
 
     /// The lanes whose photon is above the top or below its bottom.
     #[inline(always)]
-    fn left(&self) -> Mask {
+    pub fn left(&self) -> Mask {
         gathered(|k| self.depth.0[k].is_out(self.bottom.0[k]))
     }
 }
@@ -175,13 +188,58 @@ fn output(halves: [u32; 2]) -> u32 {
 
 /// The lane of a mask's bit.
 #[inline(always)]
-pub(crate) fn lane_of(bit: u32) -> usize {
+fn lane_of(bit: u32) -> usize {
     ((bit % 8) * 16 + bit / 8) as usize
+}
+
+/// The lanes of a mask, one after the other.
+pub(crate) struct LanesOf(pub Mask);
+
+impl Iterator for LanesOf {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        if self.0 == 0 {
+            return None;
+        }
+        let bit = self.0.trailing_zeros();
+        self.0 &= self.0 - 1;
+        Some(lane_of(bit) % LANES)
+    }
+}
+
+/// Some lanes, each once.
+pub(crate) struct LaneList {
+    lanes: [u8; LANES],
+    count: usize,
+}
+
+impl LaneList {
+    pub fn all() -> Self {
+        Self { lanes: std::array::from_fn(|lane| lane as u8), count: LANES }
+    }
+
+    pub fn none() -> Self {
+        Self { count: 0, ..Self::all() }
+    }
+
+    #[inline(always)]
+    pub fn push(&mut self, lane: usize) {
+        self.lanes[self.count % LANES] = lane as u8;
+        self.count += 1;
+    }
+
+    #[inline(always)]
+    pub fn pop(&mut self) -> Option<usize> {
+        self.count = self.count.checked_sub(1)?;
+        Some(usize::from(self.lanes[self.count % LANES]) % LANES)
+    }
 }
 
 /// The mask of the lanes for which `flag` is true: lane 16i + j is bit i of byte j, so that vectors can add it up.
 #[inline(always)]
-fn gathered(flag: impl Fn(usize) -> bool) -> Mask {
+pub(crate) fn gathered(flag: impl Fn(usize) -> bool) -> Mask {
     let mut flags = [[0_u8; 16]; 8];
     for (lane, one) in flags.as_flattened_mut().iter_mut().enumerate() {
         *one = u8::from(flag(lane));

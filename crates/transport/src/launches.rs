@@ -78,31 +78,44 @@ impl<'a, R: Real> Launches<'a, R> {
     /// Streams, directions and first flights of a row.
     #[inline(always)]
     fn prepare(&mut self, key: u64, incidence: Incidence) {
-        for k in 0..LANES {
-            let (state, stream) = photon_seed(key, self.index.0[k]);
-            let increment = (stream << 1) | 1;
-            self.streams.state.0[k] = state.wrapping_add(increment);
-            self.streams.increment.0[k] = increment;
-        }
-        self.streams.advance();
-        match incidence {
-            Incidence::Beam(mu0) => self.mu = Row([R::rounded(mu0.get()); LANES]),
-            Incidence::Diffuse => {
-                let words = self.streams.draw();
-                for k in 0..LANES {
-                    self.mu.0[k] = R::diffuse_cosine(words.0[k]);
-                }
-            }
-        }
-        let paths = self.streams.draw();
-        for k in 0..LANES {
-            self.depth.0[k] = first_depth(self.mu.0[k], paths.0[k]);
-        }
+        launch(&mut self.streams, &mut self.mu, &mut self.depth, &self.index, key, incidence);
         for &bottom in &self.slabs {
             for k in 0..LANES {
                 self.row.0[k] += u32::from(self.depth.0[k] >= bottom);
             }
         }
+    }
+}
+
+/// Streams, directions and depths after the first flight of the photons of these indices.
+#[inline(always)]
+pub(crate) fn launch<R: Real>(
+    streams: &mut Streams,
+    mu: &mut Row<R>,
+    depth: &mut Row<R>,
+    index: &Row<u64>,
+    key: u64,
+    incidence: Incidence,
+) {
+    for k in 0..LANES {
+        let (state, stream) = photon_seed(key, index.0[k]);
+        let increment = (stream << 1) | 1;
+        streams.state.0[k] = state.wrapping_add(increment);
+        streams.increment.0[k] = increment;
+    }
+    streams.advance();
+    match incidence {
+        Incidence::Beam(mu0) => *mu = Row([R::rounded(mu0.get()); LANES]),
+        Incidence::Diffuse => {
+            let words = streams.draw();
+            for k in 0..LANES {
+                mu.0[k] = R::diffuse_cosine(words.0[k]);
+            }
+        }
+    }
+    let paths = streams.draw();
+    for k in 0..LANES {
+        depth.0[k] = first_depth(mu.0[k], paths.0[k]);
     }
 }
 

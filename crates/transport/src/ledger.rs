@@ -30,18 +30,18 @@ impl Ledger {
 
     /// A photon leaves through the top or the bottom of a slab after `order` scatterings; no branch between them.
     #[inline(always)]
-    pub fn leave(&mut self, up: bool, row: usize, order: u32) {
+    pub fn leave(&mut self, up: bool, row: usize, order: u64) {
         let (from, side) = (row * self.columns, usize::from(!up));
-        self.counts[from + side * self.bins + (order as usize).min(self.bins - 1)] += 1;
-        self.counts[from + 2 * self.bins + 1 + side] += u64::from(order);
+        self.counts[from + side * self.bins + order.min(self.bins as u64 - 1) as usize] += 1;
+        self.counts[from + 2 * self.bins + 1 + side] += order;
     }
 
     /// A photon is absorbed in a slab after `order` scatterings.
     #[inline(always)]
-    pub fn absorb(&mut self, row: usize, order: u32) {
+    pub fn absorb(&mut self, row: usize, order: u64) {
         let absorbed = row * self.columns + 2 * self.bins;
         self.counts[absorbed] += 1;
-        self.counts[absorbed + 1] += u64::from(order);
+        self.counts[absorbed + 1] += order;
     }
 
     /// Adds everything to the tallies.
@@ -55,5 +55,24 @@ impl Ledger {
                 tally.add_slab(slab, row, unscattered);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A photon in a slab of τ = 10⁶ may be scattered that often.
+    #[test]
+    fn an_order_beyond_32_bits_is_counted_whole() {
+        let order = 10_000_000_000;
+        let mut tally = Tally::new(1, 4, true);
+        let mut ledger = Ledger::new(&tally, 2);
+        ledger.leave(true, 0, order);
+        ledger.leave(false, 0, order);
+        ledger.absorb(0, order);
+        ledger.close(std::slice::from_mut(&mut tally));
+        assert_eq!((tally.reflected[3], tally.transmitted[3], tally.absorbed[0]), (1, 1, 1));
+        assert_eq!((tally.turned[0], tally.passed[0]), (2 * order, order));
     }
 }

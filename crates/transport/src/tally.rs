@@ -56,8 +56,8 @@ impl Tally {
     }
 
     #[inline]
-    fn cell(&self, thickness: usize, order: u32) -> usize {
-        thickness * self.bins + (order as usize).min(self.bins - 1)
+    fn cell(&self, thickness: usize, order: u64) -> usize {
+        thickness * self.bins + order.min(self.bins as u64 - 1) as usize
     }
 
     /// `photons` histories start.
@@ -79,25 +79,40 @@ impl Tally {
 
     /// A photon leaves through the bottom of slab `thickness` after `order` scatterings.
     #[inline]
-    pub fn transmit(&mut self, thickness: usize, order: u32) {
+    pub fn transmit(&mut self, thickness: usize, order: u64) {
         let cell = self.cell(thickness, order);
         self.transmitted[cell] += 1;
-        self.passed[thickness] += u64::from(order);
+        self.passed[thickness] += order;
     }
 
     /// A photon leaves through the top of slab `first` (if nested, of every slab from there on) after `order` scatterings.
     #[inline]
-    pub fn reflect(&mut self, first: usize, order: u32) {
+    pub fn reflect(&mut self, first: usize, order: u64) {
         let cell = self.cell(first, order);
         self.reflected[cell] += 1;
-        self.turned[first] += u64::from(order);
+        self.turned[first] += order;
     }
 
     /// A photon is absorbed in slab `first` (if nested, in every slab from there on) after `order` scatterings.
     #[inline]
-    pub fn absorb(&mut self, first: usize, order: u32) {
+    pub fn absorb(&mut self, first: usize, order: u64) {
         self.absorbed[first] += 1;
-        self.turned[first] += u64::from(order);
+        self.turned[first] += order;
+    }
+
+    /// So many photons pass slab `thickness` after `order` scatterings, which are not counted.
+    #[inline]
+    pub(crate) fn pass(&mut self, thickness: usize, order: u64, photons: u64) {
+        let cell = self.cell(thickness, order);
+        self.transmitted[cell] += photons;
+    }
+
+    /// Adds photons of the tail: those that pass slab `slab`, and those that turn or are absorbed in it and not above.
+    pub(crate) fn add_tail(&mut self, slab: usize, passed: u64, turned: u64, absorbed: u64) {
+        let tail = self.cell(slab, u64::MAX);
+        self.transmitted[tail] += passed;
+        self.reflected[tail] += turned;
+        self.absorbed[slab] += absorbed;
     }
 
     /// Adds the counts of other photons.

@@ -26,7 +26,7 @@ pub(crate) struct Collision {
     /// Of flight, before.
     pub direction: DVec3,
     /// Scatterings before this one.
-    pub order: u32,
+    pub order: u64,
 }
 
 /// How a history ended.
@@ -34,7 +34,7 @@ pub(crate) struct End {
     /// The face it left; none if absorbed.
     pub side: Option<Side>,
     /// Scatterings.
-    pub order: u32,
+    pub order: u64,
     /// Of flight, at last.
     pub direction: DVec3,
 }

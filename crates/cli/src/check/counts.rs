@@ -7,7 +7,7 @@ use crate::output::Talk;
 use crate::pipeline::fluxes;
 use crate::pipeline::input_error;
 use crate::pipeline::optics::Cloud;
-use crate::pipeline::reference::{Media, Plan, TracedIncidence};
+use crate::pipeline::reference::{AtIncidence, Media, Plan};
 use crate::progress;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsStr;
@@ -15,7 +15,7 @@ use std::path::Path;
 use stratiform_artifact::RowIncidence;
 use stratiform_quantities::{Medium, Order};
 use stratiform_reference_data::rows_in;
-use stratiform_transport::Quantity;
+use stratiform_transport::{Quantity, Traced, trace_half_space};
 
 /// Orders that are counted by themselves, beside the total.
 const ORDERS: [Order; 4] = [Order::Exactly(0), Order::Exactly(1), Order::Exactly(2), Order::Total];
@@ -62,7 +62,10 @@ pub fn trace(
 ) -> Result<Vec<CountRow>, CliError> {
     let plan = Plan { rows: fluxes::nodes(config), tau: tracer.tau.clone(), photons, seed };
     let bar = progress::bar(plan.histories(), "photons", talk.quiet);
-    let traced = plan.trace(&Media::new(config, cloud)?, &|done| bar.set_position(done))?;
+    let media = Media::new(config, cloud)?;
+    let traced = plan.trace(&|done| bar.set_position(done), |medium, request, control| {
+        trace_half_space(media.get(medium), request, control)
+    })?;
     bar.finish_and_clear();
     Ok([Medium::Full, Medium::Modified]
         .into_iter()
@@ -70,7 +73,7 @@ pub fn trace(
         .collect())
 }
 
-fn rows(traced: &TracedIncidence, medium: Medium) -> Vec<CountRow> {
+fn rows(traced: &AtIncidence<Traced>, medium: Medium) -> Vec<CountRow> {
     let counts = traced.get(medium);
     let row = |(k, tau): (usize, &f64), order: Order| CountRow {
         medium,

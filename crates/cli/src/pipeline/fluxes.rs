@@ -35,16 +35,43 @@ pub fn light(row: &RowIncidence) -> Result<Incidence, CliError> {
     })
 }
 
+/// Reflectance and transmittance of one medium at one incidence.
+pub struct MediumFluxes {
+    /// Orders that are known.
+    orders: Vec<Order>,
+    /// Orders inside thickness.
+    estimates: Vec<Option<(Estimate, Estimate)>>,
+}
+
+impl MediumFluxes {
+    /// `estimate` of each of `orders` at every of so many thicknesses.
+    pub fn new(
+        orders: Vec<Order>,
+        thicknesses: usize,
+        estimate: impl Fn(usize, Order) -> Option<(Estimate, Estimate)>,
+    ) -> Self {
+        let rows = (0..thicknesses).flat_map(|k| orders.iter().map(move |order| (k, *order)));
+        let estimates = rows.map(|(k, order)| estimate(k, order)).collect();
+        Self { orders, estimates }
+    }
+
+    /// At thickness `k`; none for an order that is not known.
+    pub fn get(&self, k: usize, order: Order) -> Option<(Estimate, Estimate)> {
+        let place = self.orders.iter().position(|known| *known == order)?;
+        self.estimates.get(k * self.orders.len() + place).copied().flatten()
+    }
+}
+
 /// Reflectance and transmittance of both media at one incidence.
 pub struct IncidenceFluxes {
     /// Angle or diffuse.
     pub row: RowIncidence,
     /// Optical thicknesses of the full medium.
     pub tau: Vec<f64>,
-    /// Orders 0 to [`MAX_ORDER`], tail and total inside thickness.
-    pub full: Vec<(Estimate, Estimate)>,
-    /// The same of the modified medium.
-    pub modified: Vec<(Estimate, Estimate)>,
+    /// Of the full medium.
+    pub full: MediumFluxes,
+    /// Of the modified medium.
+    pub modified: MediumFluxes,
 }
 
 /// Covariances of what the model is fitted to, as [`Reference`] has them.
@@ -64,49 +91,47 @@ pub struct Referred {
 }
 
 impl IncidenceFluxes {
-    /// Reflectance and transmittance of `order` at thickness `k`.
-    pub fn estimate(&self, medium: Medium, k: usize, order: Order) -> (Estimate, Estimate) {
-        let rows = match medium {
+    /// One medium's.
+    pub fn of(&self, medium: Medium) -> &MediumFluxes {
+        match medium {
             Medium::Full => &self.full,
             Medium::Modified => &self.modified,
-        };
-        let count = Order::rows(MAX_ORDER).count();
-        let place = match order {
-            Order::Exactly(n) => n as usize,
-            Order::Tail => count - 2,
-            Order::Total => count - 1,
-        };
-        rows[k * count + place]
+        }
     }
 
     /// Takes out what is fitted.
-    pub fn referred(self, config: &Config, covariance: Covariance) -> Referred {
+    ///
+    /// # Errors
+    /// [`CliError::Failed`] if that is not known.
+    pub fn referred(self, config: &Config, covariance: Covariance) -> Result<Referred, CliError> {
         let transport = &config.transport;
-        let each = |medium, order, part: fn((Estimate, Estimate)) -> Estimate| -> Vec<f64> {
-            (0..self.tau.len()).map(|k| part(self.estimate(medium, k, order)).value).collect()
+        let each = |medium, order, part: fn((Estimate, Estimate)) -> Estimate| {
+            let value = |k| self.of(medium).get(k, order).map(|both| part(both).value);
+            let missing = || CliError::Failed(format!("order {order} of the {medium} medium is not known"));
+            (0..self.tau.len()).map(value).collect::<Option<Vec<f64>>>().ok_or_else(missing)
         };
         let of_order = |n, part| each(transport.orders_medium, Order::Exactly(n), part);
         let reference = Reference {
             incidence: self.row.clone(),
             tau: self.tau.clone(),
-            t_ms: each(transport.totals_medium, Order::Total, |both| both.1),
+            t_ms: each(transport.totals_medium, Order::Total, |both| both.1)?,
             t_ms_covariance: covariance.t_ms,
             orders: [
-                of_order(1, |both| both.1),
-                of_order(2, |both| both.1),
-                of_order(1, |both| both.0),
-                of_order(2, |both| both.0),
+                of_order(1, |both| both.1)?,
+                of_order(2, |both| both.1)?,
+                of_order(1, |both| both.0)?,
+                of_order(2, |both| both.0)?,
             ],
             orders_covariance: covariance.orders,
         };
-        Referred { reference, fluxes: self }
+        Ok(Referred { reference, fluxes: self })
     }
 
     /// The rows of `orders.csv`.
     pub fn orders_rows(&self, thickness_m: &[f64]) -> Vec<OrdersRow> {
         let row = |medium: Medium, k: usize, order: Order| {
-            let (reflectance, transmittance) = self.estimate(medium, k, order);
-            OrdersRow {
+            let (reflectance, transmittance) = self.of(medium).get(k, order)?;
+            Some(OrdersRow {
                 theta_l_deg: self.row.to_string(),
                 thickness_m: thickness_m[k],
                 medium,
@@ -115,42 +140,42 @@ impl IncidenceFluxes {
                 reflectance_std_error: reflectance.std_error,
                 transmittance: transmittance.value,
                 transmittance_std_error: transmittance.std_error,
-            }
+            })
         };
         let mut rows = Vec::new();
         for medium in [Medium::Full, Medium::Modified] {
             for k in 0..thickness_m.len() {
-                rows.extend(Order::rows(MAX_ORDER).map(|order| row(medium, k, order)));
+                rows.extend(Order::rows(MAX_ORDER).filter_map(|order| row(medium, k, order)));
             }
         }
         rows
     }
 
-    /// The fluxes that the emitted table is held against.
+    /// The fluxes that the emitted table is held against, as far as they are known.
     ///
     /// # Errors
     /// [`CliError::Input`] if a thickness or angle is out of domain.
     pub fn points(&self, config: &Config) -> Result<Vec<ReferencePoint>, CliError> {
         let incidence = light(&self.row)?;
+        let (totals, orders) =
+            (self.of(config.transport.totals_medium), self.of(config.transport.orders_medium));
         let mut points = Vec::new();
         for (k, tau) in self.tau.iter().enumerate() {
-            let order = |order| self.estimate(config.transport.orders_medium, k, order);
-            let (r_ms, t_ms) = self.estimate(config.transport.totals_medium, k, Order::Total);
-            let t_0 = order(Order::Exactly(0)).1;
-            let (r_1, t_1) = order(Order::Exactly(1));
-            let (r_2, t_2) = order(Order::Exactly(2));
-            let (r_3_plus, t_3_plus) = order(Order::Tail);
+            let total = totals.get(k, Order::Total);
+            let [zero, once, twice] = [0, 1, 2].map(|n| orders.get(k, Order::Exactly(n)));
+            let tail = orders.get(k, Order::Tail);
             for (quantity, estimate) in [
-                ("t_ms", t_ms),
-                ("r_ms", r_ms),
-                ("t_0", t_0),
-                ("t_1", t_1),
-                ("t_2", t_2),
-                ("t_3_plus", t_3_plus),
-                ("r_1", r_1),
-                ("r_2", r_2),
-                ("r_3_plus", r_3_plus),
+                ("t_ms", transmittance(total)),
+                ("r_ms", reflectance(total)),
+                ("t_0", transmittance(zero)),
+                ("t_1", transmittance(once)),
+                ("t_2", transmittance(twice)),
+                ("t_3_plus", transmittance(tail)),
+                ("r_1", reflectance(once)),
+                ("r_2", reflectance(twice)),
+                ("r_3_plus", reflectance(tail)),
             ] {
+                let Some(estimate) = estimate else { continue };
                 points.push(ReferencePoint {
                     incidence,
                     tau: OpticalThickness::new(*tau)?,
@@ -162,4 +187,12 @@ impl IncidenceFluxes {
         }
         Ok(points)
     }
+}
+
+fn reflectance(both: Option<(Estimate, Estimate)>) -> Option<Estimate> {
+    both.map(|(reflectance, _)| reflectance)
+}
+
+fn transmittance(both: Option<(Estimate, Estimate)>) -> Option<Estimate> {
+    both.map(|(_, transmittance)| transmittance)
 }

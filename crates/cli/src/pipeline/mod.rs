@@ -1,6 +1,6 @@
-//! The chain in order: optics, reference, fit, radiance, family, codegen, colour, witness, agreement, ladder, convergence,
-//! angular books, principal plane, notes, report. Each stage leaves files and is
-//! skipped while its inputs are unchanged.
+//! The chain: optics; side by side witness, colour, radiance, and reference with fit; family; side by side codegen with
+//! agreement and ladder, angular books, principal plane; convergence and quadrature, which measure time, alone; notes, report. Each
+//! stage leaves files and is skipped while its inputs are unchanged.
 
 pub mod accepted;
 mod agreement;
@@ -17,6 +17,7 @@ pub mod hemisphere;
 pub mod ladder;
 mod notes;
 pub mod optics;
+pub mod photons;
 mod principal_plane;
 mod published;
 mod quadrature;

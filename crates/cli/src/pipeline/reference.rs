@@ -1,6 +1,6 @@
-//! The Monte Carlo reference of a fit: full and modified medium at every incidence of the table, or half-way between.
+//! What is traced: full and modified medium at every incidence of the table, or half-way between.
 
-use super::fluxes::{Covariance, IncidenceFluxes, MAX_ORDER, Referred, light};
+use super::fluxes::{MAX_ORDER, light};
 use super::optics::Cloud;
 use crate::CliError;
 use crate::config::Config;
@@ -8,10 +8,9 @@ use crate::interrupt;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use stratiform_artifact::RowIncidence;
-use stratiform_fit::Reference;
 use stratiform_optics::phase::Modified;
-use stratiform_quantities::{Medium, Order};
-use stratiform_transport::{Control, Quantity, Stop, TraceMedium, TraceRequest, Traced};
+use stratiform_quantities::{Incidence, Medium};
+use stratiform_transport::{Control, Stop, TraceMedium, TraceRequest, TransportError};
 
 /// Both media, ready to be traced.
 pub struct Media {
@@ -44,17 +43,17 @@ impl Media {
     }
 }
 
-/// Both media traced at one incidence.
-pub struct TracedIncidence {
+/// What was traced in both media at one incidence.
+pub struct AtIncidence<T> {
     /// Angle or diffuse.
     pub row: RowIncidence,
-    full: Traced,
-    modified: Traced,
+    full: T,
+    modified: T,
 }
 
-impl TracedIncidence {
+impl<T> AtIncidence<T> {
     /// One medium's result.
-    pub fn get(&self, medium: Medium) -> &Traced {
+    pub fn get(&self, medium: Medium) -> &T {
         match medium {
             Medium::Full => &self.full,
             Medium::Modified => &self.modified,
@@ -91,78 +90,40 @@ impl Plan {
         2 * self.photons * self.rows.len() as u64
     }
 
-    /// Traces everything; `control` sees the photons of one incidence and medium at a time.
+    /// Traces every incidence and medium by `one`; `progress` sees the photons done so far.
     ///
     /// # Errors
     /// [`CliError::Interrupted`], or [`CliError::Input`] for numbers out of domain.
-    pub fn trace(
+    pub fn trace<T>(
         &self,
-        media: &Media,
         progress: &(dyn Fn(u64) + Sync),
-    ) -> Result<Vec<TracedIncidence>, CliError> {
+        one: impl Fn(Medium, &TraceRequest, Control<'_>) -> Result<T, TransportError>,
+    ) -> Result<Vec<AtIncidence<T>>, CliError> {
         let mut before = 0;
         let mut traced = Vec::new();
         for row in &self.rows {
-            let mut one = |medium| {
+            let incidence = light(row)?;
+            let mut trace = |medium| {
                 let advanced = |done: u64, _total: u64| progress(before + done);
-                let result =
-                    self.trace_one(media, row, medium, super::control(&advanced, &interrupt::watch()));
+                let control = super::control(&advanced, &interrupt::watch());
+                let result = one(medium, &self.request(incidence, medium), control);
                 before += self.photons;
-                result
+                result.map_err(super::trace_error)
             };
-            let (full, modified) = (one(Medium::Full)?, one(Medium::Modified)?);
-            traced.push(TracedIncidence { row: row.clone(), full, modified });
+            let (full, modified) = (trace(Medium::Full)?, trace(Medium::Modified)?);
+            traced.push(AtIncidence { row: row.clone(), full, modified });
         }
         Ok(traced)
     }
 
-    fn trace_one(
-        &self,
-        media: &Media,
-        row: &RowIncidence,
-        medium: Medium,
-        control: Control<'_>,
-    ) -> Result<Traced, CliError> {
-        let incidence = light(row)?;
-        let request = TraceRequest {
+    fn request(&self, incidence: Incidence, medium: Medium) -> TraceRequest {
+        TraceRequest {
             tau: self.tau.clone(),
             incidence,
             stop: Stop::Photons(self.photons),
             max_order: MAX_ORDER,
             seed: self.seed,
             stream: super::stream_of(incidence, medium),
-        };
-        stratiform_transport::trace_half_space(media.get(medium), &request, control)
-            .map_err(super::trace_error)
+        }
     }
-}
-
-/// What the fit needs of one incidence.
-pub fn fit_reference(config: &Config, traced: &TracedIncidence) -> Reference {
-    referred(config, traced).reference
-}
-
-/// All that other stages need of one incidence; the covariance is that of batch means.
-pub fn referred(config: &Config, traced: &TracedIncidence) -> Referred {
-    let tau = traced.full.tau().to_vec();
-    let estimates = |medium| {
-        let one = traced.get(medium);
-        let rows = |k| Order::rows(MAX_ORDER).map(move |order| one.estimate(k, order));
-        (0..tau.len()).flat_map(rows).collect()
-    };
-    let (full, modified) = (estimates(Medium::Full), estimates(Medium::Modified));
-    let all = |quantity| (0..tau.len()).map(move |k| (k, quantity)).collect::<Vec<_>>();
-    let each = [
-        Quantity::Transmittance(Order::Exactly(1)),
-        Quantity::Transmittance(Order::Exactly(2)),
-        Quantity::Reflectance(Order::Exactly(1)),
-        Quantity::Reflectance(Order::Exactly(2)),
-    ];
-    let (totals, orders) =
-        (traced.get(config.transport.totals_medium), traced.get(config.transport.orders_medium));
-    let covariance = Covariance {
-        t_ms: totals.covariance(&all(Quantity::Transmittance(Order::Total))).concat(),
-        orders: orders.covariance(&each.into_iter().flat_map(all).collect::<Vec<_>>()).concat(),
-    };
-    IncidenceFluxes { row: traced.row.clone(), tau, full, modified }.referred(config, covariance)
 }

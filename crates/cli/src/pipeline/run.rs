@@ -9,9 +9,9 @@ use super::{
 };
 use crate::CliError;
 use crate::config::{Config, Source};
-use crate::output::Talk;
-use crate::progress;
-use std::cell::OnceCell;
+use crate::output::{self, Talk};
+use crate::{interrupt, progress};
+use rayon::prelude::*;
 use std::path::Path;
 use stratiform_artifact::{
     LadderRow, OpticsDocument, ParametersDocument, Provenance, create_folder, read_csv, read_json, read_text,
@@ -40,7 +40,7 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
         config.check_span()?;
     }
     let provenance = provenance(config);
-    let mut work = Workspace::open(out, &config.title, provenance.clone(), talk)?;
+    let work = Workspace::open(out, &config.title, provenance.clone(), talk)?;
     work.stage("optics", &(&config.optics, config.transport.wavelength_um), |dir| {
         let spinner = progress::spinner("optics", talk.quiet);
         let files = optics::write(config, dir);
@@ -51,15 +51,20 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
     stratiform_fit::ALBEDO
         .check("single_scattering_albedo", cloud.omega.get())
         .map_err(|error| CliError::from(error).at("the model that is fitted has no absorption"))?;
-    let chain = Chain { config, cloud: &cloud, cut: OnceCell::new(), provenance: &provenance, talk };
-    let inputs = chain.inputs(&work, config.transport.source);
-    work.stage("reference", &inputs, |dir| source::write_reference(config, &cloud, dir, talk))?;
-    work.stage("fit", &(work.hash_of_stage("reference"), &provenance, &config.fit), |dir| chain.fit(dir))?;
-    chain.radiance(&mut work)?;
+    let chain = Chain { config, cloud: &cloud, provenance: &provenance, talk };
+    match target {
+        Target::Fit => side_by_side(&[&|| chain.fluxes(&work), &|| chain.radiance(&work)])?,
+        Target::Report => side_by_side(&[
+            &|| chain.witness(&work),
+            &|| chain.colour(&work),
+            &|| chain.radiance(&work),
+            &|| chain.fluxes(&work),
+        ])?,
+    }
     let parameters: ParametersDocument = read_json(&out.join("parameters.json"))?;
-    chain.family(&mut work)?;
+    chain.family(&work)?;
     if target == Target::Report {
-        chain.finish(&mut work, &document, &parameters)?;
+        chain.finish(&work, &document, &parameters)?;
     }
     work.save()?;
     Ok(parameters)
@@ -70,29 +75,42 @@ pub fn provenance(config: &Config) -> Provenance {
     source::provenance(config, config.transport.source)
 }
 
+/// Runs stages that do not depend on each other; all are done or have failed before the first error is returned.
+fn side_by_side(stages: &[&(dyn Fn() -> Result<(), CliError> + Sync)]) -> Result<(), CliError> {
+    let run = |stage: &&(dyn Fn() -> Result<(), CliError> + Sync)| match stage() {
+        // The others may not look at the flag.
+        Err(error @ CliError::Interrupted) => {
+            output::finish(Err(error));
+            interrupt::end()
+        }
+        result => result,
+    };
+    let results: Vec<Result<(), CliError>> = stages.par_iter().with_max_len(1).map(run).collect();
+    results.into_iter().collect()
+}
+
 /// What every stage needs.
 struct Chain<'a> {
     config: &'a Config,
     cloud: &'a Cloud,
-    /// Made by the first stage that asks.
-    cut: OnceCell<Cut>,
     provenance: &'a Provenance,
     talk: Talk,
 }
 
 impl Chain<'_> {
-    fn cut(&self) -> Result<&Cut, CliError> {
-        if let Some(cut) = self.cut.get() {
-            return Ok(cut);
-        }
-        let cut = Cut::new(self.cloud, self.config.optics.theta_f_deg)?;
-        Ok(self.cut.get_or_init(|| cut))
-    }
-
     /// What the fluxes of `source` depend on.
     fn inputs(&self, work: &Workspace, source: Source) -> impl serde::Serialize + use<> {
         let transport = self.config.transport.that_counts(source);
         (work.hash_of_stage("optics"), fluxes::nodes(self.config), self.cloud.tau(self.config), transport)
+    }
+
+    /// Fluxes, and the model fitted to them.
+    fn fluxes(&self, work: &Workspace) -> Result<(), CliError> {
+        let Self { config, cloud, provenance, talk, .. } = *self;
+        let inputs = self.inputs(work, config.transport.source);
+        work.stage("reference", &inputs, |dir| source::write_reference(config, cloud, dir, talk))?;
+        let inputs = (work.hash_of_stage("reference"), provenance, &config.fit);
+        work.stage("fit", &inputs, |dir| self.fit(dir))
     }
 
     fn fit(&self, dir: &Path) -> Result<Vec<String>, CliError> {
@@ -104,7 +122,7 @@ impl Chain<'_> {
     }
 
     /// The tables of the other effective radii; nothing where the config has none.
-    fn family(&self, work: &mut Workspace) -> Result<(), CliError> {
+    fn family(&self, work: &Workspace) -> Result<(), CliError> {
         let Self { config, talk, .. } = *self;
         let Some(radii) = &config.family else {
             return work.without("family");
@@ -113,7 +131,7 @@ impl Chain<'_> {
     }
 
     /// The radiance model, where the config asks for it.
-    fn radiance(&self, work: &mut Workspace) -> Result<(), CliError> {
+    fn radiance(&self, work: &Workspace) -> Result<(), CliError> {
         let Self { config, cloud, talk, .. } = *self;
         let Some(settings) = &config.radiance else { return work.without("radiance") };
         let inputs = (work.hash_of_stage("optics"), radiance::provenance(config, settings));
@@ -123,23 +141,30 @@ impl Chain<'_> {
     /// The stages after the fit.
     fn finish(
         &self,
-        work: &mut Workspace,
+        work: &Workspace,
         document: &OpticsDocument,
         parameters: &ParametersDocument,
     ) -> Result<(), CliError> {
         let Self { config, cloud, provenance, talk, .. } = *self;
         let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
         let beside = ["family", "radiance"].map(|stage| work.hash_of_stage(stage));
-        let inputs = (&before, beside, &config.codegen.targets);
-        work.stage("codegen", &inputs, |dir| codegen(config, parameters, cloud, self.cut()?, dir))?;
-        self.colour(work)?;
-        self.agreement(work, parameters)?;
-        self.ladder(work, parameters)?;
+        let cut = Cut::new(cloud, config.optics.theta_f_deg)?;
+        side_by_side(&[
+            &|| {
+                let inputs = (&before, &beside, &config.codegen.targets);
+                work.stage("codegen", &inputs, |dir| codegen(config, parameters, cloud, &cut, dir))?;
+                self.agreement(work, parameters)?;
+                self.ladder(work, parameters)
+            },
+            &|| {
+                work.stage("angular-books", &before, |dir| {
+                    angular_books::write(config, cloud, &cut, parameters, dir)
+                })
+            },
+            &|| self.principal_plane(work, &cut, parameters),
+        ])?;
+        // These measure time, and have the machine to themselves.
         self.convergence(work, &before)?;
-        work.stage("angular-books", &before, |dir| {
-            angular_books::write(config, cloud, self.cut()?, parameters, dir)
-        })?;
-        self.principal_plane(work, parameters)?;
         work.stage("notes", &(&before, provenance, config.published_table), |dir| {
             notes(config, document, cloud, parameters, provenance, dir)
         })?;
@@ -165,7 +190,7 @@ impl Chain<'_> {
     }
 
     /// Phase functions in colour; nothing where the config wants none.
-    fn colour(&self, work: &mut Workspace) -> Result<(), CliError> {
+    fn colour(&self, work: &Workspace) -> Result<(), CliError> {
         let Self { config, provenance, .. } = *self;
         if config.colour.is_off() {
             return work.without("colour");
@@ -173,16 +198,21 @@ impl Chain<'_> {
         work.stage("colour", &(&config.optics, &config.colour, provenance), |dir| colour::write(config, dir))
     }
 
-    /// The other source, and whether both agree; nothing where there are no photons.
-    fn agreement(&self, work: &mut Workspace, parameters: &ParametersDocument) -> Result<(), CliError> {
+    /// The other source; nothing where there are no photons.
+    fn witness(&self, work: &Workspace) -> Result<(), CliError> {
         let Self { config, cloud, talk, .. } = *self;
-        let (Some(witness), Some(photons)) = (source::witness(config), config.transport.photons) else {
-            work.without("witness")?;
-            return work.without("agreement");
-        };
+        let Some(witness) = source::witness(config) else { return work.without("witness") };
         work.stage("witness", &self.inputs(work, witness), |dir| {
             source::write_witness(config, cloud, witness, dir, talk)
-        })?;
+        })
+    }
+
+    /// Whether both sources agree.
+    fn agreement(&self, work: &Workspace, parameters: &ParametersDocument) -> Result<(), CliError> {
+        let Self { config, cloud, .. } = *self;
+        let (Some(witness), Some(photons)) = (source::witness(config), config.transport.photons) else {
+            return work.without("agreement");
+        };
         let inputs = ["reference", "fit", "witness"].map(|stage| work.hash_of_stage(stage));
         work.stage("agreement", &(inputs, &config.fit), |dir| {
             let references: Vec<Reference> = read_json(&dir.join("witness/reference.json"))?;
@@ -196,7 +226,7 @@ impl Chain<'_> {
         })
     }
 
-    fn ladder(&self, work: &mut Workspace, parameters: &ParametersDocument) -> Result<(), CliError> {
+    fn ladder(&self, work: &Workspace, parameters: &ParametersDocument) -> Result<(), CliError> {
         let Self { config, cloud, .. } = *self;
         let folders = match config.transport.source {
             Source::Trace => ladder::Folders { solved: "witness", traced: Some("") },
@@ -211,7 +241,7 @@ impl Chain<'_> {
         })
     }
 
-    fn convergence(&self, work: &mut Workspace, before: &[String; 3]) -> Result<(), CliError> {
+    fn convergence(&self, work: &Workspace, before: &[String; 3]) -> Result<(), CliError> {
         let Self { config, cloud, talk, .. } = *self;
         let Some(settings) = &config.convergence else {
             work.without("convergence")?;
@@ -227,13 +257,18 @@ impl Chain<'_> {
 
 impl Chain<'_> {
     /// Radiance in the plane of the sun; nothing where the config does not ask for it.
-    fn principal_plane(&self, work: &mut Workspace, parameters: &ParametersDocument) -> Result<(), CliError> {
+    fn principal_plane(
+        &self,
+        work: &Workspace,
+        cut: &Cut,
+        parameters: &ParametersDocument,
+    ) -> Result<(), CliError> {
         let Self { config, cloud, talk, .. } = *self;
         let Some(settings) = &config.principal_plane else { return work.without("principal-plane") };
         let stages = ["optics", "fit", "radiance"].map(|stage| work.hash_of_stage(stage));
         let inputs = (stages, settings, config.transport.seed);
         work.stage("principal-plane", &inputs, |dir| {
-            principal_plane::write(config, settings, cloud, self.cut()?, parameters, dir, talk)
+            principal_plane::write(config, settings, cloud, cut, parameters, dir, talk)
         })
     }
 }

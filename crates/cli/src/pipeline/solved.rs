@@ -8,7 +8,7 @@
 //!
 //! Fluxes at most their own error outside \[0, 1\] are rounding and are put on its end.
 
-use super::fluxes::{Covariance, IncidenceFluxes, MAX_ORDER, Referred, light};
+use super::fluxes::{Covariance, IncidenceFluxes, MAX_ORDER, MediumFluxes, Referred, light};
 use super::reference::Media;
 use crate::CliError;
 use crate::config::Config;
@@ -39,7 +39,7 @@ pub fn solve(
         full: estimates(&full, i),
         modified: estimates(&modified, i),
     };
-    Ok(rows.iter().enumerate().map(one).map(|fluxes| referred(config, fluxes)).collect())
+    rows.iter().enumerate().map(one).map(|fluxes| referred(config, fluxes)).collect()
 }
 
 fn solve_medium(
@@ -53,14 +53,13 @@ fn solve_medium(
     solver.orders(tau, incidences, MAX_ORDER).map_err(|error| super::trace_error(error).at(&name))
 }
 
-/// Orders inside thickness.
-fn estimates(solved: &Solved, incidence: usize) -> Vec<(Estimate, Estimate)> {
-    let count = Order::rows(MAX_ORDER).count();
-    let pair = |(k, n)| {
-        let (reflectance, transmittance) = solved.estimate(incidence, k, n);
-        (rounded(reflectance), rounded(transmittance))
-    };
-    (0..solved.tau().len()).flat_map(|k| (0..count).map(move |n| (k, n))).map(pair).collect()
+fn estimates(solved: &Solved, incidence: usize) -> MediumFluxes {
+    let rows: Vec<Order> = Order::rows(MAX_ORDER).collect();
+    MediumFluxes::new(rows.clone(), solved.tau().len(), |k, order| {
+        let place = rows.iter().position(|row| *row == order)?;
+        let (reflectance, transmittance) = solved.estimate(incidence, k, place);
+        Some((rounded(reflectance), rounded(transmittance)))
+    })
 }
 
 fn rounded(Estimate { value, std_error }: Estimate) -> Estimate {
@@ -68,18 +67,22 @@ fn rounded(Estimate { value, std_error }: Estimate) -> Estimate {
     Estimate { value: if (value - nearest).abs() <= std_error { nearest } else { value }, std_error }
 }
 
-fn referred(config: &Config, fluxes: IncidenceFluxes) -> Referred {
+fn referred(config: &Config, fluxes: IncidenceFluxes) -> Result<Referred, CliError> {
     let transport = &config.transport;
     let count = fluxes.tau.len();
-    let error = |medium, k, order| {
-        let (reflectance, transmittance) = fluxes.estimate(medium, k, order);
-        [reflectance.std_error, transmittance.std_error]
+    let errors = |medium, order| {
+        let known = (0..count).filter_map(|k| fluxes.of(medium).get(k, order));
+        known
+            .map(|(reflectance, transmittance)| [reflectance.std_error, transmittance.std_error])
+            .collect::<Vec<_>>()
     };
-    let totals: Vec<f64> = (0..count).map(|k| error(transport.totals_medium, k, Order::Total)[1]).collect();
+    let totals: Vec<f64> =
+        errors(transport.totals_medium, Order::Total).into_iter().map(|error| error[1]).collect();
     let orders: Vec<f64> = [(1, 1), (2, 1), (1, 0), (2, 0)]
         .into_iter()
-        .flat_map(|(n, part)| (0..count).map(move |k| (k, n, part)))
-        .map(|(k, n, part)| error(transport.orders_medium, k, Order::Exactly(n))[part])
+        .flat_map(|(n, part)| {
+            errors(transport.orders_medium, Order::Exactly(n)).into_iter().map(move |error| error[part])
+        })
         .collect();
     // β is fitted to all rows together, κ_c, t and r to the orders of one row.
     let covariance = Covariance {

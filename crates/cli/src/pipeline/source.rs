@@ -2,7 +2,8 @@
 
 use super::fluxes::{Referred, between, nodes};
 use super::optics::Cloud;
-use super::reference::{Media, Plan, referred};
+use super::photons::{self, Wanted};
+use super::reference::{Media, Plan};
 use super::{input_error, solved};
 use crate::CliError;
 use crate::config::{Config, Source};
@@ -149,25 +150,32 @@ fn traced(config: &Config, cloud: &Cloud, media: &Media, talk: Talk) -> Result<[
     let [photons, photons_between, seed] = config.transport.photons_and_seed_of_trace()?;
     let at_nodes = Plan::nodes(config, cloud, photons, seed);
     let half_way = Plan::between(config, cloud, photons_between, seed);
-    Ok([trace(config, media, &at_nodes, talk)?, trace(config, media, &half_way, talk)?])
+    let trace = |plan| trace(config, media, plan, Wanted::All, talk);
+    Ok([trace(&at_nodes)?, trace(&half_way)?])
 }
 
-/// The table's incidences from photons.
+/// What is fitted, at the table's incidences, from photons.
 fn traced_at_nodes(
     config: &Config,
     cloud: &Cloud,
     media: &Media,
     talk: Talk,
 ) -> Result<Vec<Referred>, CliError> {
-    match config.transport.photons.zip(config.transport.seed) {
-        Some((photons, seed)) => trace(config, media, &Plan::nodes(config, cloud, photons, seed), talk),
-        None => Ok(Vec::new()),
-    }
+    let Some((photons, seed)) = config.transport.photons.zip(config.transport.seed) else {
+        return Ok(Vec::new());
+    };
+    trace(config, media, &Plan::nodes(config, cloud, photons, seed), Wanted::Fitted, talk)
 }
 
-fn trace(config: &Config, media: &Media, plan: &Plan, talk: Talk) -> Result<Vec<Referred>, CliError> {
+fn trace(
+    config: &Config,
+    media: &Media,
+    plan: &Plan,
+    wanted: Wanted,
+    talk: Talk,
+) -> Result<Vec<Referred>, CliError> {
     let bar = progress::bar(plan.histories(), "photons", talk.quiet);
-    let traced = plan.trace(media, &|done| bar.set_position(done))?;
+    let referred = photons::trace(config, media, plan, wanted, &|done| bar.set_position(done));
     bar.finish_and_clear();
-    Ok(traced.iter().map(|one| referred(config, one)).collect())
+    referred
 }

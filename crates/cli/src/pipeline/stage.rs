@@ -1,10 +1,11 @@
 //! Stages and the manifest: a stage whose inputs' hash is unchanged, and whose files still are what it wrote, is not
-//! run again.
+//! run again. Stages may run side by side.
 
 use crate::{CliError, output::Talk};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 use stratiform_artifact::{
     Provenance, create_folder, hash_bytes, hash_of, read_json, write_atomic, write_json,
@@ -39,7 +40,7 @@ pub struct Manifest {
 /// The folder a pipeline writes to.
 pub struct Workspace {
     dir: PathBuf,
-    manifest: Manifest,
+    manifest: Mutex<Manifest>,
     talk: Talk,
 }
 
@@ -63,7 +64,7 @@ impl Workspace {
         write_atomic(&probe, b"")?;
         // The probe was written: that it cannot be removed is no reason to stop.
         let _ = std::fs::remove_file(&probe);
-        Ok(Self { dir: dir.to_owned(), manifest, talk })
+        Ok(Self { dir: dir.to_owned(), manifest: Mutex::new(manifest), talk })
     }
 
     /// The folder.
@@ -73,7 +74,7 @@ impl Workspace {
 
     /// The inputs' hash of a stage that ran, to hand on to those that depend on it.
     pub fn hash_of_stage(&self, name: &str) -> String {
-        self.manifest.stages.get(name).map_or_else(String::new, |record| hash_of(&record.files))
+        self.record(name).map_or_else(String::new, |record| hash_of(&record.files))
     }
 
     /// Runs stage `name` unless it is fresh. `run` writes into the folder and returns the files it wrote.
@@ -81,7 +82,7 @@ impl Workspace {
     /// # Errors
     /// Those of `run`, and [`CliError::Input`] if a file cannot be read back or the manifest not be written.
     pub fn stage(
-        &mut self,
+        &self,
         name: &str,
         inputs: &impl Serialize,
         run: impl FnOnce(&Path) -> Result<Vec<String>, CliError>,
@@ -102,7 +103,8 @@ impl Workspace {
         self.remove_files(name, |file| !files.contains_key(file));
         let seconds = start.elapsed().as_secs_f64();
         self.talk.say(format!("{name}: {seconds:.2} s"));
-        self.manifest.stages.insert(name.to_owned(), StageRecord { inputs_hash, seconds, files });
+        let record = StageRecord { inputs_hash, seconds, files };
+        self.manifest().stages.insert(name.to_owned(), record);
         self.save()
     }
 
@@ -110,25 +112,25 @@ impl Workspace {
     ///
     /// # Errors
     /// [`CliError::Input`] if the manifest cannot be written.
-    pub fn without(&mut self, name: &str) -> Result<(), CliError> {
+    pub fn without(&self, name: &str) -> Result<(), CliError> {
         self.remove_files(name, |_| true);
-        self.manifest.stages.remove(name);
+        self.manifest().stages.remove(name);
         self.save()
     }
 
     /// Removes those files of the stage's last run that are `unwanted`.
     fn remove_files(&self, name: &str, unwanted: impl Fn(&str) -> bool) {
-        let files = self.manifest.stages.get(name).into_iter().flat_map(|record| record.files.keys());
+        let files = self.record(name).into_iter().flat_map(|record| record.files.into_keys());
         for file in files.filter(|file| unwanted(file)) {
             // A file that is gone already, or a path that is none of ours, needs no removal.
-            if Path::new(file).components().all(|part| matches!(part, Component::Normal(_))) {
-                let _ = std::fs::remove_file(self.dir.join(file));
+            if Path::new(&file).components().all(|part| matches!(part, Component::Normal(_))) {
+                let _ = std::fs::remove_file(self.dir.join(&file));
             }
         }
     }
 
     fn is_fresh(&self, name: &str, inputs_hash: &str) -> bool {
-        self.manifest.stages.get(name).is_some_and(|record| {
+        self.record(name).is_some_and(|record| {
             record.inputs_hash == inputs_hash
                 && record.files.iter().all(|(file, hash)| {
                     std::fs::read(self.dir.join(file)).is_ok_and(|bytes| hash_bytes(&bytes) == *hash)
@@ -141,7 +143,16 @@ impl Workspace {
     /// # Errors
     /// [`CliError::Input`] if it cannot be written.
     pub fn save(&self) -> Result<(), CliError> {
-        Ok(write_json(&self.dir.join("manifest.json"), &self.manifest)?)
+        Ok(write_json(&self.dir.join("manifest.json"), &*self.manifest())?)
+    }
+
+    fn record(&self, name: &str) -> Option<StageRecord> {
+        self.manifest().stages.get(name).cloned()
+    }
+
+    /// Held for moments only: nobody computes meanwhile.
+    fn manifest(&self) -> MutexGuard<'_, Manifest> {
+        self.manifest.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -189,15 +200,15 @@ mod tests {
         run("new.txt");
         assert!(!dir.path().join("old.txt").exists() && dir.path().join("new.txt").exists());
         open(dir.path()).without("a").unwrap();
-        assert!(!dir.path().join("new.txt").exists() && open(dir.path()).manifest.stages.is_empty());
+        assert!(!dir.path().join("new.txt").exists() && open(dir.path()).manifest().stages.is_empty());
     }
 
     #[test]
     fn a_failed_stage_leaves_no_record() {
         let dir = tempfile::tempdir().unwrap();
-        let mut workspace = open(dir.path());
+        let workspace = open(dir.path());
         assert!(workspace.stage("a", &1, |_| Err(CliError::Interrupted)).is_err());
         assert!(!dir.path().join("a.txt").exists());
-        assert!(workspace.manifest.stages.is_empty());
+        assert!(workspace.manifest().stages.is_empty());
     }
 }

@@ -100,30 +100,27 @@ fn problem(
     Ok(Problem { rows, wanted, weights })
 }
 
-/// (AᵀA)⁻¹ Σ r_i² a_i a_iᵀ (AᵀA)⁻¹.
+/// F Fᵀ (Σ r_i² a_i a_iᵀ) F Fᵀ with F Fᵀ = (AᵀA)⁻¹.
 fn sandwich(problem: &Problem, factor: &Matrix, solution: &[f64]) -> Matrix {
     let fitted = problem.rows.times(solution);
-    let mut answers = Matrix::zeros(problem.weights.len(), COUNT);
-    for (i, (wanted, fitted)) in problem.wanted.iter().zip(&fitted).enumerate() {
-        let answer = factor.times(&factor.transposed_times(&row(&problem.rows, i)));
-        for (k, a) in answer.iter().enumerate() {
-            answers.set(i, k, a * (wanted - fitted));
-        }
-    }
-    Matrix::square(COUNT, |i, j| dot(answers.column(i), answers.column(j)))
+    let rest: Vec<f64> = problem.wanted.iter().zip(&fitted).map(|(wanted, fitted)| wanted - fitted).collect();
+    let mut answers = problem.rows.product(factor);
+    (0..COUNT).for_each(|k| answers.column_mut(k).iter_mut().zip(&rest).for_each(|(a, rest)| *a *= rest));
+    let meat = Matrix::square(COUNT, |i, j| dot(answers.column(i), answers.column(j)));
+    let half = factor.product(&meat);
+    Matrix::square(COUNT, |i, j| (0..COUNT).fold(0.0, |sum, k| sum + half.get(i, k) * factor.get(j, k)))
 }
 
 /// Median over the points of the standard error of ln M.
 fn median_error(problem: &Problem, covariance: &Matrix) -> f64 {
-    let error = |(i, weight): (usize, &f64)| {
-        let row = row(&problem.rows, i);
-        dot(&row, &covariance.times(&row)).max(0.0).sqrt() / weight
-    };
-    let mut errors: Vec<f64> = problem.weights.iter().enumerate().map(error).collect();
+    let mut squares = vec![0.0; problem.weights.len()];
+    let spread = problem.rows.product(covariance);
+    for k in 0..COUNT {
+        let pairs = spread.column(k).iter().zip(problem.rows.column(k));
+        squares.iter_mut().zip(pairs).for_each(|(sum, (a, b))| *sum += a * b);
+    }
+    let error = |(square, weight): (&f64, &f64)| square.max(0.0).sqrt() / weight;
+    let mut errors: Vec<f64> = squares.iter().zip(&problem.weights).map(error).collect();
     errors.sort_by(f64::total_cmp);
     errors[errors.len() / 2]
-}
-
-fn row(matrix: &Matrix, i: usize) -> Vec<f64> {
-    (0..matrix.columns()).map(|j| matrix.get(i, j)).collect()
 }

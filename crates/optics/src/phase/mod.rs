@@ -1,7 +1,7 @@
 //! Phase functions: one trait, and its implementations, one file each.
 
-mod angles;
 mod cell;
+mod chords;
 mod draine;
 mod expand;
 pub(crate) mod gauss;
@@ -35,7 +35,7 @@ pub trait PhaseFunction: Send + Sync {
     /// P at v = 1 - cosΘ.
     fn value(&self, v: f64) -> f64;
 
-    /// Replaces each v by P(v), equal to [`value`](Self::value) but for rounding; many at once may be faster.
+    /// Replaces each v by P(v), equal to [`value`](Self::value) but for rounding and 1e-11 in Θ; many at once may be faster.
     fn values_at(&self, v: &mut [f64]) {
         v.iter_mut().for_each(|v| *v = self.value(*v));
     }

@@ -5,8 +5,9 @@
 //! form of [`cell`](super::cell), its inversion exact to rounding.
 
 use super::cell::Cell;
+use super::chords::Chords;
 use super::guide::Guide;
-use super::{PhaseFunction, angle, angles::angles, linear, versine};
+use super::{PhaseFunction, angle, linear, versine};
 use crate::OpticsError;
 use stratiform_quantities::Range;
 
@@ -25,6 +26,8 @@ pub struct PhaseTable {
     pieces: Vec<Cell>,
     /// Where the cells of an angle and of a probability are.
     guides: [Guide; 2],
+    /// The same P by half chords.
+    chords: Chords,
 }
 
 /// What to do with a table whose norm is not 1 to 1e-3.
@@ -51,13 +54,15 @@ impl PhaseTable {
         let theta: Vec<f64> = theta_deg.iter().map(|t| t.to_radians()).collect();
         let guides = [Guide::new(&theta), Guide::new(&theta)];
         let (cumulative, pieces) = (vec![0.0; theta.len()], Vec::new());
-        let mut table = Self { theta_deg, theta, p, cumulative, pieces, guides };
+        let chords = Chords::default();
+        let mut table = Self { theta_deg, theta, p, cumulative, pieces, guides, chords };
         let integral = table.accumulate();
         if !(integral.is_finite() && integral > 0.0) || (norm == Norm::Strict && !NORM.contains(integral)) {
             return Err(OpticsError::NotNormalised { norm: integral });
         }
         table.divide_by(integral);
         table.guides[1] = Guide::new(&table.cumulative);
+        table.chords = Chords::new(table.cells());
         Ok(table)
     }
 
@@ -178,8 +183,7 @@ impl PhaseFunction for PhaseTable {
     }
 
     fn values_at(&self, v: &mut [f64]) {
-        angles(v);
-        v.iter_mut().for_each(|theta| *theta = self.at(*theta));
+        self.chords.values_at(v);
     }
 
     fn cumulative(&self, v: f64) -> f64 {

@@ -22,6 +22,8 @@ const INTERVALS: usize = 1 << INTERVAL_BITS;
 const SPLITS: usize = 1 << SPLIT_BITS;
 /// Largest |C(v) - ξ| of a piece that is not split, as a share of its interval.
 const TOLERANCE: f64 = 1.0 / 128.0;
+/// Samples that are looked through together for split intervals.
+const GROUP: usize = 16;
 /// Points at which an interval's mean is taken and its piece is held against the cumulative.
 const POINTS: usize = 4;
 
@@ -114,12 +116,17 @@ impl LinearPieces {
     }
 
     /// Replaces the samples that fall into split intervals.
-    #[cold]
-    #[inline(never)]
+    #[inline(always)]
     fn split_all(&self, steps: &[u32], words: &[u32], v: &mut [f32]) {
-        for ((step, &bits), v) in steps.iter().zip(words).zip(v) {
-            if step >> 31 == 1 {
-                *v = self.sample(bits);
+        // Most groups have none.
+        let groups = steps.chunks(GROUP).zip(words.chunks(GROUP)).zip(v.chunks_mut(GROUP));
+        for ((steps, words), v) in
+            groups.filter(|((steps, _), _)| steps.iter().fold(0, |all, step| all | step) >> 31 == 1)
+        {
+            for ((step, &bits), v) in steps.iter().zip(words).zip(v) {
+                if step >> 31 == 1 {
+                    *v = self.sample(bits);
+                }
             }
         }
     }

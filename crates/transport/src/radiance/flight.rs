@@ -39,7 +39,7 @@ struct Lanes {
     streams: Streams,
     direction: [Row<f64>; 3],
     depth: Row<f64>,
-    order: Row<u32>,
+    order: Row<u64>,
     state: Row<u8>,
 }
 

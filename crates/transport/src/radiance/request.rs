@@ -47,8 +47,8 @@ impl RadianceRequest {
     }
 
     /// Row of light scattered `order` times, at least once.
-    pub(super) fn row(&self, order: u32) -> usize {
-        (order.min(self.max_order.saturating_add(1)) - 1) as usize
+    pub(super) fn row(&self, order: u64) -> usize {
+        (order.min(u64::from(self.max_order) + 1) - 1) as usize
     }
 }
 

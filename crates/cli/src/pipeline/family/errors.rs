@@ -55,14 +55,22 @@ pub fn rows(
     table_radii: &[f64],
     values: &[Nine],
 ) -> Result<Vec<FamilyErrorRow>, CliError> {
-    let solved = at(&computed.places, &computed.points)?.0;
+    let solved = at(&computed.places, &computed.points)?.values;
     let fitted = from_table(computed, 1.0, computed)?;
     let table_radii_um =
         table_radii.iter().map(|radius| format!("{radius:.4}")).collect::<Vec<_>>().join(" ");
     let mut rows = Vec::new();
     for (against, truth) in [("solver", &solved), ("fit", &fitted)] {
         let places = &computed.places;
-        let step = Step { rung: "", places, before: truth, after: values, chance: None, note: String::new() };
+        let step = Step {
+            rung: "",
+            places,
+            before: truth,
+            after: values,
+            chance: None,
+            known: [true; 9],
+            note: String::new(),
+        };
         rows.extend(step.rows().into_iter().map(|row| FamilyErrorRow {
             effective_radius_um: computed.radius_um,
             table_radii_um: table_radii_um.clone(),

@@ -22,25 +22,41 @@ pub fn places(rows: &[RowIncidence], tau: &[f64]) -> Vec<Place> {
     rows.iter().flat_map(|row| tau.iter().map(|tau| Place { row: row.clone(), tau: *tau })).collect()
 }
 
-/// Values and errors of the reference points at `places`.
+/// Values and errors of the reference points at some places, in the order of [`QUANTITIES`].
+pub struct Fluxes {
+    /// Of each quantity, whether it is known at every place; 0 stands for what is not.
+    pub known: [bool; 9],
+    /// Place by place.
+    pub values: Vec<Nine>,
+    /// Place by place.
+    pub errors: Vec<Nine>,
+}
+
+/// The reference points at `places`.
 ///
 /// # Errors
-/// [`CliError::Input`] if one is missing.
-pub fn at(places: &[Place], points: &[ReferencePoint]) -> Result<(Vec<Nine>, Vec<Nine>), CliError> {
-    let (mut values, mut errors) = (Vec::new(), Vec::new());
-    let mut groups = points.chunks(QUANTITIES.len());
+/// [`CliError::Input`] if a place is missing, or has other quantities than the first one.
+pub fn at(places: &[Place], points: &[ReferencePoint]) -> Result<Fluxes, CliError> {
+    let mut fluxes = Fluxes { known: [false; 9], values: Vec::new(), errors: Vec::new() };
+    let mut groups = points.chunk_by(|a, b| (a.incidence, a.tau) == (b.incidence, b.tau));
     for place in places {
         let (incidence, tau) = (light(&place.row)?, place.tau);
         // Files have the places in this order, perhaps with others between.
         let group = groups.find(|group| group[0].incidence == incidence && group[0].tau.get() == tau);
-        let complete = group.filter(|group| group.iter().map(|point| point.quantity.as_str()).eq(QUANTITIES));
-        let group = complete.ok_or_else(|| {
-            CliError::Input(format!("reference.csv has no fluxes at theta_l = {}, tau = {tau}", place.row))
-        })?;
-        values.push(std::array::from_fn(|i| group[i].value));
-        errors.push(std::array::from_fn(|i| group[i].std_error));
+        let group = group.unwrap_or_default();
+        let nine = QUANTITIES.map(|quantity| group.iter().find(|point| point.quantity == quantity));
+        let known = nine.map(|point| point.is_some());
+        if group.is_empty() || !fluxes.values.is_empty() && known != fluxes.known {
+            return Err(CliError::Input(format!(
+                "reference.csv lacks fluxes at theta_l = {}, tau = {tau}",
+                place.row
+            )));
+        }
+        fluxes.known = known;
+        fluxes.values.push(nine.map(|point| point.map_or(0.0, |point| point.value)));
+        fluxes.errors.push(nine.map(|point| point.map_or(0.0, |point| point.std_error)));
     }
-    Ok((values, errors))
+    Ok(fluxes)
 }
 
 /// The step from one rung to the next.
@@ -55,6 +71,8 @@ pub struct Step<'a> {
     pub after: &'a [Nine],
     /// Standard errors of the difference, if there is chance in it.
     pub chance: Option<&'a [Nine]>,
+    /// Quantities that both rungs have.
+    pub known: [bool; 9],
     /// What measured it.
     pub note: String,
 }
@@ -69,7 +87,7 @@ impl Step<'_> {
         let mut rows = Vec::new();
         for (angles, chosen) in [(LadderRow::TO_80, steep), (LadderRow::ALL, all)] {
             for (i, quantity) in QUANTITIES.iter().enumerate() {
-                if LadderRow::QUANTITIES.contains(quantity) {
+                if self.known[i] && LadderRow::QUANTITIES.contains(quantity) {
                     rows.extend(self.row(angles, quantity, i, &chosen));
                 }
             }
@@ -133,6 +151,7 @@ mod tests {
             before: &before,
             after: &after,
             chance: None,
+            known: [true; 9],
             note: String::new(),
         };
         let rows = step.rows();

@@ -3,7 +3,7 @@
 //! | rung | compared with | at | isolates |
 //! | --- | --- | --- | --- |
 //! | `solver` | nothing: its own estimated error | table, half-way | discretisation |
-//! | `monte-carlo` | solver | table | noise; beside it the σ expected |
+//! | `monte-carlo` | solver | table | noise; beside it the σ expected; of the fluxes that were traced |
 //! | `model` | solver, f64 both | table | the model's form, with the emitted parameters |
 //! | `f32` | model in f64, same parameters | table | single precision |
 //! | `interpolation` | f32 model with parameters fitted half-way | half-way | the table's gaps |
@@ -22,7 +22,7 @@ use super::fluxes::{between, light, nodes};
 use super::optics::Cloud;
 use crate::CliError;
 use crate::config::Config;
-use loss::{Nine, Place, Step, at, not_measured, places};
+use loss::{Fluxes, Nine, Place, Step, at, not_measured, places};
 pub use shader::Device;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -101,7 +101,7 @@ struct Ladder<'a> {
 
 impl Ladder<'_> {
     fn solver(&self) -> Result<Vec<LadderRow>, CliError> {
-        let errors = at(&self.everywhere, &self.solved)?.1;
+        let errors = at(&self.everywhere, &self.solved)?.errors;
         let exact = vec![[0.0; 9]; errors.len()];
         let note = "estimated by the solver".to_owned();
         Ok(step("solver", &self.everywhere, &exact, &errors, note).rows())
@@ -112,14 +112,14 @@ impl Ladder<'_> {
             return Ok(vec![not_measured("monte-carlo", "the config has no photons")]);
         };
         let traced: Vec<_> = read_csv(&folder.join("reference.csv"))?;
-        let (values, errors) = at(&self.at_nodes, &traced)?;
-        let solved = at(&self.at_nodes, &self.solved)?.0;
+        let Fluxes { known, values, errors } = at(&self.at_nodes, &traced)?;
+        let solved = at(&self.at_nodes, &self.solved)?.values;
         let step = step("monte-carlo", &self.at_nodes, &solved, &values, String::new());
-        Ok(Step { chance: Some(&errors), ..step }.rows())
+        Ok(Step { chance: Some(&errors), known, ..step }.rows())
     }
 
     fn model(&self) -> Result<Vec<LadderRow>, CliError> {
-        let solved = at(&self.at_nodes, &self.solved)?.0;
+        let solved = at(&self.at_nodes, &self.solved)?.values;
         let model = self.fitted::<f64>(&self.at_nodes, self.parameters)?;
         Ok(step("model", &self.at_nodes, &solved, &model, String::new()).rows())
     }
@@ -155,7 +155,7 @@ impl Ladder<'_> {
     }
 
     fn together(&self) -> Result<Vec<LadderRow>, CliError> {
-        let solved = at(&self.everywhere, &self.solved)?.0;
+        let solved = at(&self.everywhere, &self.solved)?.values;
         let emitted = self.interpolated(&self.everywhere)?;
         Ok(step("together", &self.everywhere, &solved, &emitted, String::new()).rows())
     }
@@ -195,7 +195,7 @@ fn step<'a>(
     after: &'a [Nine],
     note: String,
 ) -> Step<'a> {
-    Step { rung, places, before, after, chance: None, note }
+    Step { rung, places, before, after, chance: None, known: [true; 9], note }
 }
 
 fn model(error: ModelError) -> CliError {

@@ -5,7 +5,7 @@
 //! a, b, c and positive. With a the smallest, x ≤ y the excesses of the others and ψ(x) = (1-e^{-x})/x, it is
 //! e^{-aτ}(ψ(x) - e^{-x}ψ(y-x))/y, and its power series below y = ¼. All without branches, for lanes.
 
-use super::elementary::{exponentials, mean_exponential};
+use super::elementary::{exponentials, mean_exponential, more_than_0};
 
 /// Below this difference of rates the power series stands in.
 const CLOSE: f64 = 0.25;
@@ -35,10 +35,17 @@ pub(super) fn second(a: f64, b: f64, c: f64) -> f64 {
         (other, least)
     };
     let (middle, most) = ordered(low, high);
-    let (x, y) = (middle - least, most - least);
-    let (near, faded) = mean_exponential(x);
-    let apart = (near - faded * mean_exponential(y - x).0) / y;
-    exponentials(-least).0 * if y < CLOSE { series(x, y) } else { apart }
+    exponentials(-least).0 * second_from_0(middle - least, most - least)
+}
+
+/// exp\[0, -x, -y\], x ≤ y.
+#[inline(always)]
+fn second_from_0(x: f64, y: f64) -> f64 {
+    let (near, rest) = (more_than_0(x), more_than_0(y - x));
+    let ((faded, less), (_, less_again)) = (exponentials(-near), exponentials(-rest));
+    // Quotients are slow: one for all.
+    let apart = (faded * less_again * near - less * rest) / (near * rest * y);
+    if y < CLOSE { series(x, y) } else { apart }
 }
 
 #[inline(always)]
@@ -58,11 +65,48 @@ fn series(x: f64, y: f64) -> f64 {
     sum
 }
 
-/// `of[i]` becomes exp\[-a, -(of\[i\]+more)τ, -c\]·τ².
+/// Two of the three rates of a path of two events, with τ, and what is added to the third.
+#[derive(Clone, Copy)]
+struct Legs {
+    a: f64,
+    c: f64,
+    more: f64,
+    tau: f64,
+}
+
+impl Legs {
+    /// τ² exp\[-a, -(rate+more)τ, -c\].
+    #[inline(always)]
+    fn second(&self, rate: f64) -> f64 {
+        self.tau * self.tau * second(self.a, (rate + self.more) * self.tau, self.c)
+    }
+
+    /// The same with c = 0.
+    #[inline(always)]
+    fn second_from_0(&self, rate: f64) -> f64 {
+        let (x, y) = ordered(self.a, (rate + self.more) * self.tau);
+        self.tau * self.tau * second_from_0(x, y)
+    }
+}
+
+/// Replaces each rate by its integral.
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
-fn second_each(a: f64, c: f64, more: f64, tau: f64, of: &mut [f64]) {
-    for rate in of {
-        *rate = tau * tau * second(a, (*rate + more) * tau, c);
+fn second_each(legs: &Legs, rates: &mut [f64]) {
+    if legs.c == 0.0 {
+        rates.iter_mut().for_each(|rate| *rate = legs.second_from_0(*rate));
+    } else {
+        rates.iter_mut().for_each(|rate| *rate = legs.second(*rate));
+    }
+}
+
+/// Replaces each rate, which stands twice, by both integrals: side by side they take little longer than one.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn second_both([one, other]: &[Legs; 2], ones: &mut [f64], others: &mut [f64]) {
+    let pairs = ones.iter_mut().zip(others);
+    if one.c == 0.0 && other.c == 0.0 {
+        pairs.for_each(|(a, b)| (*a, *b) = (one.second_from_0(*a), other.second_from_0(*b)));
+    } else {
+        pairs.for_each(|(a, b)| (*a, *b) = (one.second(*a), other.second(*b)));
     }
 }
 
@@ -84,31 +128,30 @@ impl Exit {
         tau * if top { mean_exponential((sun + view) * tau).0 } else { first(sun * tau, view * tau) }
     }
 
-    /// The same with a way down at each rate between two depths; takes the rates' place.
-    pub(super) fn via_down(&self, rates: &mut [f64]) {
+    /// Of a way down, and of a way up, between two depths.
+    fn legs(&self) -> [Legs; 2] {
         let Self { top, tau, sun, view } = *self;
         if top {
-            second_each((sun + view) * tau, 0.0, view, tau, rates);
+            [view, sun].map(|more| Legs { a: (sun + view) * tau, c: 0.0, more, tau })
         } else {
-            second_each(sun * tau, view * tau, 0.0, tau, rates);
+            [0.0, sun + view].map(|more| Legs { a: sun * tau, c: view * tau, more, tau })
         }
     }
 
-    /// The same with a way up at each rate between two depths.
+    /// ∫∫ with a way down at each rate between two depths; takes the rates' place.
+    pub(super) fn via_down(&self, rates: &mut [f64]) {
+        second_each(&self.legs()[0], rates);
+    }
+
+    /// The same with a way up.
     pub(super) fn via_up(&self, rates: &mut [f64]) {
-        let Self { top, tau, sun, view } = *self;
-        if top {
-            second_each((sun + view) * tau, 0.0, sun, tau, rates);
-        } else {
-            second_each(sun * tau, view * tau, sun + view, tau, rates);
-        }
+        second_each(&self.legs()[1], rates);
     }
 
     /// Both ways at each rate.
     pub(super) fn via(&self, rates: &[f64]) -> Vias {
         let mut vias = Vias { down: rates.to_vec(), up: rates.to_vec() };
-        self.via_down(&mut vias.down);
-        self.via_up(&mut vias.up);
+        second_both(&self.legs(), &mut vias.down, &mut vias.up);
         vias
     }
 }

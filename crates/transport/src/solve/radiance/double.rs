@@ -35,6 +35,9 @@ const PEAK: f64 = 0.2;
 /// Width of the panels at the horizon.
 const HORIZON: f64 = 1e-2;
 
+/// Sums side by side.
+const LANES: usize = 8;
+
 /// Panels at the edge of a hole in P, in units of θ_f.
 const EDGE: f64 = 0.05;
 
@@ -58,6 +61,13 @@ impl Nodes {
         self.weights.push(weight * rate);
     }
 
+    /// Fills up a processor's lanes with nodes that weigh nothing.
+    fn fill(&mut self) {
+        let full = self.rates.len().next_multiple_of(LANES);
+        self.rates.resize(full, 1.0);
+        self.weights.resize(full, 0.0);
+    }
+
     /// Σ weight · depth integral, which `via` puts in the place of rates.
     fn sum(&self, via: impl Fn(&mut [f64])) -> f64 {
         let mut integrals = self.rates.clone();
@@ -70,27 +80,37 @@ impl Nodes {
 #[derive(Clone, Copy)]
 struct Peak {
     theta: f64,
+    sine: f64,
     phi: f64,
     width: f64,
 }
 
+impl Peak {
+    fn new(theta: f64, phi: f64, width: f64) -> Self {
+        Self { theta, sine: libm::sin(theta), phi, width }
+    }
+}
+
 impl Pairing {
     pub(super) fn new(phase: &Phase, geometry: &Geometry, points: usize) -> Self {
-        let rule = Rule::new(points, widest(phase));
+        let rule = Rule::new(points);
         let (sun, view) = (libm::acos(geometry.mu0), geometry.travel());
         let ends = [(sun, 0.0), (view, geometry.phi)];
         let mut peaks: Vec<Peak> =
-            ends.iter().map(|&(theta, phi)| Peak { theta, phi, width: phase.peak }).collect();
+            ends.iter().map(|&(theta, phi)| Peak::new(theta, phi, phase.peak)).collect();
         if let Some(width) = phase.back {
-            peaks.extend(ends.iter().map(|&(theta, phi)| Peak { theta: PI - theta, phi: phi + PI, width }));
+            peaks.extend(ends.iter().map(|&(theta, phi)| Peak::new(PI - theta, phi + PI, width)));
         }
         let (mut down, mut up, mut circle) = (Nodes::default(), Nodes::default(), Circle::default());
-        rule.visit(0.0, PI, &across(&peaks, phase.edge), |theta, weight| {
-            let product = circle.around(phase, &rule, &peaks, theta);
-            let cosine = libm::cos(theta);
+        let widest = widest(phase);
+        rule.visit([0.0, PI], widest, &across(&peaks, phase.edge), |theta, weight| {
+            let (sine, cosine) = libm::sincos(theta);
+            let product = circle.around(phase, (rule, widest), &peaks, (theta, sine));
             let nodes = if cosine > 0.0 { &mut down } else { &mut up };
-            nodes.push(1.0 / cosine.abs(), weight * libm::sin(theta) * product);
+            nodes.push(1.0 / cosine.abs(), weight * sine * product);
         });
+        down.fill();
+        up.fill();
         Self { down, up }
     }
 
@@ -133,6 +153,8 @@ fn across(peaks: &[Peak], edge: Option<f64>) -> Vec<Break> {
 /// Directions of one zenith angle.
 #[derive(Default)]
 struct Circle {
+    rings: Vec<Ring>,
+    breaks: Vec<Break>,
     azimuths: Vec<f64>,
     weights: Vec<f64>,
     from_sun: Vec<f64>,
@@ -140,26 +162,53 @@ struct Circle {
 }
 
 impl Circle {
-    /// ∫P(Θ1)P(Θ2)dφ' at zenith angle `theta`.
-    fn around(&mut self, phase: &Phase, rule: &Rule, peaks: &[Peak], theta: f64) -> f64 {
+    /// ∫P(Θ1)P(Θ2)dφ' at zenith angle `theta`, given with its sine.
+    fn around(
+        &mut self,
+        phase: &Phase,
+        (rule, widest): (Rule, f64),
+        peaks: &[Peak],
+        theta: (f64, f64),
+    ) -> f64 {
         let view = peaks[1].phi;
         // Sun and view in one plane: both halves are alike.
         let symmetric = view == 0.0 || view == PI;
         let end = if symmetric { PI } else { 2.0 * PI };
-        let rings: Vec<Ring> = peaks.iter().map(|peak| Ring::new(peak.theta, theta)).collect();
+        self.rings.clear();
+        self.rings.extend(peaks.iter().map(|peak| Ring::new(peak, theta)));
+        let widest = widest_around(widest, peaks, theta.1);
+        self.break_around(phase, peaks, [-widest, end + widest]);
         self.azimuths.clear();
         self.weights.clear();
-        rule.visit(0.0, end, &breaks_around(phase, peaks, &rings), |phi, weight| {
+        rule.visit([0.0, end], widest, &self.breaks, |phi, weight| {
             self.azimuths.push(phi);
             self.weights.push(weight);
         });
         self.from_sun.resize(self.azimuths.len(), 0.0);
         self.to_view.resize(self.azimuths.len(), 0.0);
-        deflections(&self.azimuths, [&rings[0], &rings[1]], view, [&mut self.from_sun, &mut self.to_view]);
+        let rings = [&self.rings[0], &self.rings[1]];
+        deflections(&self.azimuths, rings, view, [&mut self.from_sun, &mut self.to_view]);
         phase.at_each(&mut self.from_sun);
         phase.at_each(&mut self.to_view);
         let sum = weighted_product(&self.weights, &self.from_sun, &self.to_view);
         if symmetric { 2.0 * sum } else { sum }
+    }
+
+    /// Where panels in azimuth end, between `first` and `last`.
+    fn break_around(&mut self, phase: &Phase, peaks: &[Peak], [first, last]: [f64; 2]) {
+        let Self { rings, breaks, .. } = self;
+        breaks.clear();
+        for (peak, ring) in peaks.iter().zip(rings) {
+            let mut near = |phi: f64, least: f64| {
+                let turns = [-2.0 * PI, 0.0, 2.0 * PI].map(|turn| Break { at: phi + turn, least });
+                breaks.extend(turns.into_iter().filter(|turn| turn.at >= first && turn.at <= last));
+            };
+            near(peak.phi, peak.width.max(ring.distance) / ring.radius.sqrt());
+            if let Some(phi) = phase.edge.and_then(|edge| ring.crossing(edge)) {
+                near(peak.phi + phi, f64::INFINITY);
+                near(peak.phi - phi, f64::INFINITY);
+            }
+        }
     }
 }
 
@@ -175,11 +224,11 @@ fn deflections(azimuths: &[f64], rings: [&Ring; 2], view: f64, found: [&mut [f64
     }
 }
 
-/// Σ abc in eight lanes.
+/// Σ abc in lanes.
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
 fn weighted_product(a: &[f64], b: &[f64], c: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
-    for ((a, b), c) in a.chunks(8).zip(b.chunks(8)).zip(c.chunks(8)) {
+    let mut lanes = [0.0; LANES];
+    for ((a, b), c) in a.chunks(LANES).zip(b.chunks(LANES)).zip(c.chunks(LANES)) {
         for (lane, ((a, b), c)) in lanes.iter_mut().zip(a.iter().zip(b).zip(c)) {
             *lane += a * b * c;
         }
@@ -198,10 +247,12 @@ struct Ring {
 }
 
 impl Ring {
-    fn new(theta: f64, other: f64) -> Self {
-        let sine = libm::sin(0.5 * (theta - other));
-        let radius = (libm::sin(theta) * libm::sin(other)).max(0.0);
-        Self { across: 2.0 * sine * sine, radius, distance: (theta - other).abs() }
+    /// The circle of `theta` and its sine, from a peak's direction.
+    fn new(peak: &Peak, (theta, sine): (f64, f64)) -> Self {
+        let off = peak.theta - theta;
+        let half = libm::sin(0.5 * off);
+        let radius = (peak.sine * sine).max(0.0);
+        Self { across: 2.0 * half * half, radius, distance: off.abs() }
     }
 
     /// 1 - cosΘ at an azimuth whose half has this sine.
@@ -219,18 +270,8 @@ impl Ring {
     }
 }
 
-/// Where panels in azimuth end.
-fn breaks_around(phase: &Phase, peaks: &[Peak], rings: &[Ring]) -> Vec<Break> {
-    let mut breaks = Vec::new();
-    for (peak, ring) in peaks.iter().zip(rings) {
-        let mut near = |phi: f64, least: f64| {
-            breaks.extend([-2.0 * PI, 0.0, 2.0 * PI].map(|turn| Break { at: phi + turn, least }));
-        };
-        near(peak.phi, peak.width.max(ring.distance) / ring.radius.sqrt());
-        if let Some(phi) = phase.edge.and_then(|edge| ring.crossing(edge)) {
-            near(peak.phi + phi, f64::INFINITY);
-            near(peak.phi - phi, f64::INFINITY);
-        }
-    }
-    breaks
+/// Widest panel in azimuth: Θ changes by less than it, by the sine of either zenith angle.
+fn widest_around(widest: f64, peaks: &[Peak], sine: f64) -> f64 {
+    let farthest = peaks.iter().fold(0.0, |most, peak| f64::max(most, peak.sine));
+    (widest / sine.min(farthest)).min(WIDEST_SMOOTH).max(widest)
 }

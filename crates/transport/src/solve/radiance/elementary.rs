@@ -55,6 +55,12 @@ pub(super) fn mean_exponential(x: f64) -> (f64, f64) {
     (if x == 0.0 { 1.0 } else { -less / x }, power)
 }
 
+/// x ≥ 0, or the 1e-100 whose (1 - e^{-x})/x is 1 as well.
+#[inline(always)]
+pub(super) fn more_than_0(x: f64) -> f64 {
+    if x < 1e-100 { 1e-100 } else { x }
+}
+
 /// Sine and cosine of x ∈ \[0, π\].
 #[inline(always)]
 pub(super) fn sine_cosine(x: f64) -> (f64, f64) {

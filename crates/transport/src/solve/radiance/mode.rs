@@ -30,8 +30,10 @@ pub(super) struct Mode<'a> {
     pub(super) m: usize,
     streams: &'a Streams,
     medium: &'a Scaled,
-    /// Λ_l^m(μ_i)√w_i, a row for each stream.
-    legendre: Vec<Vec<f64>>,
+    /// Λ_l^m(μ_i)√w_i with l - m even and odd, a row for each stream.
+    legendre: [Vec<Vec<f64>>; 2],
+    /// (2l+1)χ_l, the same.
+    weights: [Vec<f64>; 2],
     pub(super) decay: Decay,
 }
 
@@ -46,23 +48,21 @@ pub(super) struct Towards {
 
 impl<'a> Mode<'a> {
     pub(super) fn new(medium: &'a Scaled, streams: &'a Streams, m: usize) -> Self {
-        let count = medium.moments.len() - m;
-        let legendre: Vec<Vec<f64>> = streams
-            .mu
-            .iter()
-            .zip(&streams.root_weight)
-            .map(|(mu, root)| {
-                let mut row = vec![0.0; count];
-                associated(m, *mu, &mut row);
-                row.iter_mut().for_each(|value| *value *= root);
-                row
-            })
-            .collect();
-        let kernel = |parity: usize| between(&legendre, &weights(medium, m), parity);
+        let mut row = vec![0.0; medium.moments.len() - m];
+        let mut legendre = [Vec::new(), Vec::new()];
+        for (mu, root) in streams.mu.iter().zip(&streams.root_weight) {
+            associated(m, *mu, &mut row);
+            row.iter_mut().for_each(|value| *value *= root);
+            legendre.iter_mut().zip(by_parity(&row)).for_each(|(rows, row)| rows.push(row));
+        }
+        let weights: Vec<f64> =
+            (m..medium.moments.len()).map(|l| (2 * l + 1) as f64 * medium.moments[l]).collect();
+        let weights = by_parity(&weights);
+        let kernel = |parity: usize| between(&legendre[parity], &weights[parity]);
         let singular =
             |columns: Matrix| if m == 0 { jacobi::singular(columns) } else { eigen::singular(&columns) };
         let decay = decay(&streams.mu, (&kernel(0), &kernel(1)), medium.albedo, singular);
-        Self { m, streams, medium, legendre, decay }
+        Self { m, streams, medium, legendre, weights, decay }
     }
 
     pub(super) fn streams(&self) -> &Streams {
@@ -76,33 +76,30 @@ impl<'a> Mode<'a> {
     pub(super) fn towards(&self, mu: f64) -> Towards {
         let mut row = vec![0.0; self.medium.moments.len() - self.m];
         associated(self.m, mu, &mut row);
-        let weights = weights(self.medium, self.m);
-        row.iter_mut().zip(&weights).for_each(|(value, weight)| *value *= weight);
-        let parity = |parity: usize| -> Vec<f64> {
-            let odd_or_even =
-                |of: &[f64]| row.iter().zip(of).skip(parity).step_by(2).fold(0.0, |sum, (a, b)| sum + a * b);
-            self.legendre.iter().map(|of| odd_or_even(of)).collect()
-        };
-        let (even, odd) = (parity(0), parity(1));
+        let mut rows = by_parity(&row);
+        let [even, odd] = [0, 1].map(|parity| -> Vec<f64> {
+            rows[parity].iter_mut().zip(&self.weights[parity]).for_each(|(value, weight)| *value *= weight);
+            self.legendre[parity].iter().map(|of| dot(&rows[parity], of)).collect()
+        });
         let onto = |row: &[f64], modes: &Matrix| (0..row.len()).map(|j| dot(row, modes.row(j))).collect();
         let (sum, difference) = (onto(&even, &self.decay.sum), onto(&odd, &self.decay.difference));
         Towards { even, odd, sum, difference }
     }
 }
 
-/// (2l+1)χ_l from l = m.
-fn weights(medium: &Scaled, m: usize) -> Vec<f64> {
-    (m..medium.moments.len()).map(|l| (2 * l + 1) as f64 * medium.moments[l]).collect()
+/// Elements at even and at odd places.
+fn by_parity(row: &[f64]) -> [Vec<f64>; 2] {
+    [0, 1].map(|parity| row.iter().skip(parity).step_by(2).copied().collect())
 }
 
 /// √w p_m √w between streams, l - m of one parity.
-fn between(legendre: &[Vec<f64>], weights: &[f64], parity: usize) -> Matrix {
+fn between(legendre: &[Vec<f64>], weights: &[f64]) -> Matrix {
     let count = legendre.len();
     let mut kernel = Matrix::zeros(count);
-    for l in (parity..weights.len()).step_by(2) {
+    for (l, weight) in weights.iter().enumerate() {
         let column: Vec<f64> = legendre.iter().map(|row| row[l]).collect();
         for i in 0..count {
-            add_scaled(kernel.row_mut(i), weights[l] * column[i], &column);
+            add_scaled(kernel.row_mut(i), weight * column[i], &column);
         }
     }
     kernel

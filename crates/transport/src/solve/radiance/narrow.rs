@@ -56,7 +56,7 @@ impl Narrow {
         let all = if known { chi } else { Vec::new() };
         let mut turns = vec![0.0; all.len()];
         let mut row = vec![0.0; all.len()];
-        Rule::new(12, PI / 180.0).visit(TURN.0, PI, &[], |theta, weight| {
+        Rule::new(12).visit([TURN.0, PI], PI / 180.0, &[], |theta, weight| {
             let (sine, cosine) = libm::sincos(theta);
             let share = smooth((theta - TURN.0) / (TURN.1 - TURN.0));
             let factor = 0.5 * weight * sine * share * phase.at(1.0 - cosine);
@@ -84,7 +84,10 @@ impl Narrow {
         let scale = medium.albedo / (1.0 - medium.forward);
         // The last is the unscattered beam's.
         let narrow = |chi: &[f64], less: f64| -> Vec<f64> {
-            chi[resolved..].iter().chain([&0.0]).map(|chi| scale * (chi - less)).collect()
+            let mut moments = Vec::with_capacity(chi.len() - resolved + 1);
+            moments.extend(chi[resolved..].iter().map(|chi| scale * (chi - less)));
+            moments.push(-scale * less);
+            moments
         };
         let mut moments = narrow(&self.all, medium.forward);
         match geometry.side {
@@ -120,7 +123,7 @@ impl Slant {
         }
         let mut paths = Vec::new();
         let shrink = [Break { at: least, least: 2.0 }];
-        Rule::new(5, f64::INFINITY).visit(least, most.min(least + LONGEST), &shrink, |p, weight| {
+        Rule::new(5).visit([least, most.min(least + LONGEST)], f64::INFINITY, &shrink, |p, weight| {
             paths.push(faded(p, weight / span));
         });
         Self { paths }
@@ -188,7 +191,7 @@ mod tests {
         for (a, s) in [(0.3, 0.5), (-0.8, 4.0), (-0.2, 900.0), (1e-3, 2.0)] {
             let mut sum = 0.0;
             let f = |x: f64| libm::exp(-x) * (libm::exp(a * x) - 1.0 - a * x);
-            Rule::new(12, 0.5).visit(0.0, f64::min(s, 60.0), &[], |x, weight| sum += weight * f(x));
+            Rule::new(12).visit([0.0, f64::min(s, 60.0)], 0.5, &[], |x, weight| sum += weight * f(x));
             assert!((turned(a, s) - sum).abs() < 1e-13, "{a} {s}: {:e}", turned(a, s) - sum);
         }
     }

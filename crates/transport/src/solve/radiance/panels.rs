@@ -1,5 +1,9 @@
 //! Composite Gauss rules whose panels shrink towards given points.
 
+use super::legendre::gauss;
+use std::f64::consts::SQRT_2;
+use std::sync::LazyLock;
+
 /// A point that panels end at and shrink towards, down to width `least`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Break {
@@ -7,53 +11,65 @@ pub(super) struct Break {
     pub(super) least: f64,
 }
 
+/// Gauss rules of \[0, 1\] with 1 to 32 points.
+static GAUSS: LazyLock<Vec<(Vec<f64>, Vec<f64>)>> = LazyLock::new(|| (1..=32).map(gauss).collect());
+
 /// A Gauss rule of \[0, 1\].
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Rule {
-    points: Vec<f64>,
-    weights: Vec<f64>,
-    /// Widest panel.
-    widest: f64,
+    points: &'static [f64],
+    weights: &'static [f64],
 }
 
+/// A panel halved until no wider than its distance to a break is half as wide on average; this lets it be as wide.
+const WIDTH: f64 = SQRT_2;
+
 impl Rule {
-    pub(super) fn new(points: usize, widest: f64) -> Self {
-        let (points, weights) = super::legendre::gauss(points);
-        Self { points, weights, widest }
+    /// The rule of 1 to 32 points.
+    pub(super) fn new(points: usize) -> Self {
+        let (points, weights) = &GAUSS[points - 1];
+        Self { points, weights }
     }
 
-    /// Σ weight · f(point) over \[`start`, `end`\], panels no wider than their distance to any break.
-    pub(super) fn visit(&self, start: f64, end: f64, breaks: &[Break], mut f: impl FnMut(f64, f64)) {
-        let mut ends: Vec<f64> =
-            breaks.iter().map(|b| b.at).filter(|at| *at > start && *at < end).chain([start, end]).collect();
-        ends.sort_by(f64::total_cmp);
-        // Points further away than the widest panel, or that allow it, narrow none.
-        let near =
-            |b: &&Break| b.at > start - self.widest && b.at < end + self.widest && b.least < self.widest;
-        let breaks: Vec<Break> = breaks.iter().filter(near).copied().collect();
-        for pair in ends.windows(2) {
-            self.split(pair[0], pair[1], &breaks, &mut f);
+    /// Σ weight · f(point) over \[`start`, `end`\], panels about as wide as their distance to any break or as `widest`.
+    pub(super) fn visit(
+        &self,
+        [start, end]: [f64; 2],
+        widest: f64,
+        breaks: &[Break],
+        mut f: impl FnMut(f64, f64),
+    ) {
+        let mut from = start;
+        while from < end {
+            let inside = breaks.iter().map(|point| point.at).filter(|at| *at > from);
+            let to = inside.fold(end, f64::min);
+            self.split([from, to], widest, breaks, &mut f);
+            from = to;
         }
     }
 
-    fn split(&self, a: f64, b: f64, breaks: &[Break], f: &mut impl FnMut(f64, f64)) {
+    fn split(&self, [a, b]: [f64; 2], widest: f64, breaks: &[Break], f: &mut impl FnMut(f64, f64)) {
         let width = b - a;
         if width <= 0.0 {
             return;
         }
-        let allowed = breaks.iter().fold(self.widest, |allowed, point| {
-            let distance = (a - point.at).max(point.at - b).max(0.0);
-            allowed.min(distance.max(point.least))
+        let allowed = breaks.iter().fold(widest, |allowed, point| {
+            let distance = larger(larger(a - point.at, point.at - b), point.least);
+            if distance < allowed { distance } else { allowed }
         });
-        // A part in a thousand for rounding.
-        if width > 1.001 * allowed {
+        if width > WIDTH * allowed {
             let middle = 0.5 * (a + b);
-            self.split(a, middle, breaks, f);
-            self.split(middle, b, breaks, f);
+            self.split([a, middle], widest, breaks, f);
+            self.split([middle, b], widest, breaks, f);
         } else {
-            self.points.iter().zip(&self.weights).for_each(|(x, w)| f(a + width * x, width * w));
+            self.points.iter().zip(self.weights).for_each(|(x, w)| f(a + width * x, width * w));
         }
     }
+}
+
+/// Without a NaN's detours.
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 #[cfg(test)]
@@ -62,10 +78,10 @@ mod tests {
 
     #[test]
     fn a_peak_is_integrated() {
-        let rule = Rule::new(8, 1.0);
+        let rule = Rule::new(8);
         let breaks = [Break { at: 0.3, least: 1e-4 }];
         let mut sum = 0.0;
-        rule.visit(-1.0, 2.0, &breaks, |x, w| sum += w * 1e-3 / ((x - 0.3) * (x - 0.3) + 1e-6));
+        rule.visit([-1.0, 2.0], 1.0, &breaks, |x, w| sum += w * 1e-3 / ((x - 0.3) * (x - 0.3) + 1e-6));
         let expected = libm::atan(1.7e3) + libm::atan(1.3e3);
         assert!((sum / expected - 1.0).abs() < 1e-7, "{:e}", sum / expected - 1.0);
     }

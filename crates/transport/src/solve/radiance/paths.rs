@@ -4,7 +4,7 @@
 //! by one form without branches: from the near side (1 - e^{-a-b})/(1 + kμ), from the far side b e^{-min(a,b)}ψ(|a-b|),
 //! a = kτ, b = τ/μ.
 
-use super::elementary::{exponentials, mean_exponential};
+use super::elementary::{exponentials, more_than_0};
 
 /// Below this kτ/2 a mode counts as linear in depth.
 const LINEAR: f64 = 1e-5;
@@ -30,12 +30,18 @@ fn integrate(decay: &[f64], tau: f64, mu: f64, cosh: &mut [f64], sinh_by_k: &mut
     let straight = linear(tau, mu);
     for ((k, cosh), sinh_by_k) in decay.iter().zip(cosh).zip(sinh_by_k) {
         let a = k * tau;
-        let near = -exponentials(-a - b).1 / (1.0 + k * mu);
-        let (least, apart) = if a < b { (a, b - a) } else { (b, a - b) };
-        let far = b * exponentials(-least).0 * mean_exponential(apart).0;
-        let both = 1.0 + exponentials(-a).0;
-        *cosh = (far + near) / both;
-        *sinh_by_k = if 0.5 * a < LINEAR { straight } else { (far - near) / (k * both) };
+        let (least, most) = if a < b { (a, b) } else { (b, a) };
+        let apart = more_than_0(most - least);
+        let ((power, less), (faded, less_again)) = (exponentials(-least), exponentials(-apart));
+        // e^{-a}, and e^{-a-b} - 1.
+        let decayed = if a < b { power } else { power * faded };
+        let both_less = less + power * (less + power * less_again);
+        let slant = 1.0 + k * mu;
+        let (near, far) = (-both_less * apart, -b * power * less_again * slant);
+        // Quotients are slow: one for all.
+        let scale = 1.0 / (k * apart * slant * (1.0 + decayed));
+        *cosh = (far + near) * k * scale;
+        *sinh_by_k = if 0.5 * a < LINEAR { straight } else { (far - near) * scale };
     }
 }
 

@@ -8,7 +8,7 @@ use crate::TransportError;
 use stratiform_stats::Estimate;
 
 /// Share of the tolerance that the angular rule should take.
-const SHARE: f64 = 0.1;
+const SHARE: f64 = 0.2;
 
 /// Three rules, each finer than the one before.
 #[derive(Clone)]

@@ -1,9 +1,9 @@
 //! The azimuth series of one number of streams: light scattered three times or more.
 //!
 //! Σ(2-δ_m0) cos mφ of the modes' responses. Orders 1 and 2, the slowly converging part, are exact and stand elsewhere,
-//! so a sun's series ends early: when four modes in a row, wherever it is asked for, add less than a share of the tolerance (one or
-//! two may vanish by parity at the horizon or at a zero of a Legendre function). A mode serves all suns and thicknesses. Modes
-//! are worked out in batches of fixed size, in parallel, and added in order.
+//! so a place's series ends early: when four modes in a row add less than a share of the tolerance (one or two may vanish by parity
+//! at the horizon or at a zero of a Legendre function). A mode serves all places whose series goes on. Modes are worked out in
+//! batches of fixed size, in parallel, and added in order.
 
 use super::depth::{Exit, Vias};
 use super::mode::{Mode, Streams};
@@ -14,10 +14,10 @@ use super::single::exit;
 use rayon::prelude::*;
 
 /// Modes worked out at once.
-const BATCH: usize = 4;
+const BATCH: usize = 2;
 
 /// Share of the tolerance that counts as nothing.
-pub(super) const NOTHING: f64 = 0.01;
+pub(super) const NOTHING: f64 = 0.03;
 
 /// So many small modes in a row end the series.
 const ENOUGH: usize = 4;
@@ -26,8 +26,8 @@ const ENOUGH: usize = 4;
 pub(super) fn beyond_twice(medium: &Scaled, count: usize, places: &[Place], tolerance: f64) -> Vec<f64> {
     let streams = Streams::new(count);
     let rates: Vec<f64> = streams.mu.iter().map(|mu| 1.0 / mu).collect();
-    let suns = places.iter().map(|place| place.sun + 1).max().unwrap_or(0);
-    let mut ends = vec![End::default(); suns];
+    // Small modes in a row.
+    let mut small = vec![0; places.len()];
     let mut sums = vec![0.0; places.len()];
     let mut open: Vec<Way> =
         places.par_iter().enumerate().map(|(i, place)| Way::new(i, place, medium, &rates)).collect();
@@ -38,47 +38,19 @@ pub(super) fn beyond_twice(medium: &Scaled, count: usize, places: &[Place], tole
         for (m, terms) in batch.iter().zip(terms) {
             let factor = if *m == 0 { 1.0 } else { 2.0 };
             for (way, term) in open.iter().zip(&terms) {
-                let end = &mut ends[way.sun];
-                if !end.reached() {
+                let small = &mut small[way.place];
+                if *small < ENOUGH {
                     sums[way.place] += factor * term * libm::cos(*m as f64 * way.phi);
-                    end.see(factor * term);
+                    *small = if factor * term.abs() <= NOTHING * tolerance { *small + 1 } else { 0 };
                 }
             }
-            ends.iter_mut().for_each(|end| end.count(NOTHING * tolerance));
         }
-        open.retain(|way| !ends[way.sun].reached());
+        open.retain(|way| small[way.place] < ENOUGH);
         if open.is_empty() {
             break;
         }
     }
     sums
-}
-
-/// Whether a sun's series has ended.
-#[derive(Clone, Default)]
-struct End {
-    /// The largest term of this mode.
-    most: f64,
-    /// Small modes in a row.
-    small: usize,
-}
-
-impl End {
-    fn see(&mut self, term: f64) {
-        // A NaN is no small term.
-        self.most = if term.is_finite() { self.most.max(term.abs()) } else { f64::INFINITY };
-    }
-
-    fn count(&mut self, nothing: f64) {
-        if !self.reached() {
-            self.small = if self.most <= nothing { self.small + 1 } else { 0 };
-        }
-        self.most = 0.0;
-    }
-
-    fn reached(&self) -> bool {
-        self.small == ENOUGH
-    }
 }
 
 /// A place with what all its modes share: the way out, and the depth integrals of the streams.
@@ -96,11 +68,11 @@ struct Way {
 impl Way {
     fn new(place: usize, of: &Place, medium: &Scaled, rates: &[f64]) -> Self {
         let exit = exit(medium, of.tau, &of.geometry);
-        let (tau, sun, by_streams) = (of.tau, of.sun, exit.via(rates));
+        let by_streams = exit.via(rates);
         Self {
             place,
-            tau,
-            sun,
+            tau: of.tau,
+            sun: of.sun,
             mu0: of.geometry.mu0,
             mu: of.geometry.mu,
             phi: of.geometry.phi,
