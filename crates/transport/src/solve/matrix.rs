@@ -193,18 +193,21 @@ pub(crate) fn add_products(target: &mut [f64], a: &[f64], b: &[f64]) {
     target.iter_mut().zip(a.iter().zip(b)).for_each(|(t, (a, b))| *t += a * b);
 }
 
-/// Σ aᵢbᵢ in four lanes.
+/// Σ aᵢbᵢ in eight lanes.
 #[inline]
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut lanes = [0.0; 4];
-    let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
-    let rest = a4.remainder().iter().zip(b4.remainder()).fold(0.0, |sum, (x, y)| sum + x * y);
-    for (x, y) in a4.zip(b4) {
-        for i in 0..4 {
+    let mut lanes = [0.0; 8];
+    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
+    for (lane, (x, y)) in lanes.iter_mut().zip(a8.remainder().iter().zip(b8.remainder())) {
+        *lane = x * y;
+    }
+    for (x, y) in a8.zip(b8) {
+        for i in 0..8 {
             lanes[i] += x[i] * y[i];
         }
     }
-    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest
+    let [a, b, c, d, e, f, g, h] = lanes;
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
 }
 
 #[cfg(test)]
