@@ -121,12 +121,12 @@ fn step(lanes: &mut Lanes, flight: &Flight<'_>) {
             absorbed.0[k] = if words.0[k] >= flight.absorbs_from as u32 { ABSORBED } else { FLIES };
         }
     }
-    let angles = flight.table.sample_all(&lanes.streams.draw().0);
+    let angles = Row(flight.table.sample_all(&lanes.streams.draw().0));
     let words = lanes.streams.draw();
     let [x, y, z] = &mut lanes.direction;
     for k in 0..LANES {
         let azimuth = [azimuth_cosine(words.0[k]), azimuth_cosine(words.0[k].wrapping_sub(QUARTER))];
-        [x.0[k], y.0[k], z.0[k]] = turned([x.0[k], y.0[k], z.0[k]], angles[k], azimuth);
+        [x.0[k], y.0[k], z.0[k]] = turned([x.0[k], y.0[k], z.0[k]], angles.0[k], azimuth);
     }
     for k in 0..LANES {
         lanes.depth.0[k] += z.0[k] * flight_path(words.0[k]);

@@ -6,7 +6,7 @@
 //! et al. 2006, ch. 3). The last point is collocated, so that streams far thinner than a panel follow J
 //! instead of ringing.
 
-use super::matrix::Matrix;
+use super::matrix::{Matrix, eliminate};
 use std::f64::consts::PI;
 
 /// Widest panel, in optical thickness.
@@ -83,30 +83,37 @@ impl Collocation {
         self.derivative.size() - 1
     }
 
-    /// Columns: what each source at points 1…p, then radiance at point 0, gives at points 1…p.
-    pub(crate) fn through(&self, ratio: f64) -> Vec<Vec<f64>> {
+    /// Rows: what each source at points 1…p, then radiance at point 0, gives at points 1…p.
+    pub(crate) fn through(&self, ratio: f64) -> impl Iterator<Item = f64> {
         let p = self.intervals();
-        let source = |j: usize| (0..p).map(|i| if i == j { ratio } else { 0.0 }).collect();
-        let start = (1..=p).map(|i| -self.derivative[(i, 0)]).collect();
-        self.shifted(ratio).solve_each((0..p).map(source).chain([start]).collect())
+        let row = |i: usize| {
+            let source = (0..p).map(move |j| if i == j { ratio } else { 0.0 });
+            self.shifted(ratio, i).chain(source).chain([-self.derivative[(i + 1, 0)]])
+        };
+        let mut rows: Vec<f64> = (0..p).flat_map(row).collect();
+        let width = 2 * p + 1;
+        eliminate(&mut rows, (p, width));
+        (0..p * (p + 1)).map(move |place| rows[place / (p + 1) * width + p + place % (p + 1)])
     }
 
     /// Only the last row of [`through`](Self::through): the radiance that leaves. At infinity it is the last source.
     pub(crate) fn leaving(&self, ratio: f64) -> Vec<f64> {
         let p = self.intervals();
+        let unit = (0..p).map(|j| if j + 1 == p { 1.0 } else { 0.0 });
         if ratio == f64::INFINITY {
-            return (0..=p).map(|j| if j + 1 == p { 1.0 } else { 0.0 }).collect();
+            return unit.chain([0.0]).collect();
         }
-        let unit = (0..p).map(|j| if j + 1 == p { 1.0 } else { 0.0 }).collect();
-        let row = self.shifted(ratio).transposed().solve(unit);
+        let transposed =
+            Matrix::from_fn(p, |i, j| self.derivative[(j + 1, i + 1)] + if i == j { ratio } else { 0.0 });
+        let row = transposed.solve(unit.collect());
         let from_start = (0..p).fold(0.0, |sum, j| sum - row[j] * self.derivative[(j + 1, 0)]);
         row.iter().map(|value| ratio * value).chain([from_start]).collect()
     }
 
-    fn shifted(&self, ratio: f64) -> Matrix {
-        Matrix::from_fn(self.intervals(), |i, j| {
-            self.derivative[(i + 1, j + 1)] + if i == j { ratio } else { 0.0 }
-        })
+    /// Row `i` of D + r without point 0.
+    fn shifted(&self, ratio: f64, i: usize) -> impl Iterator<Item = f64> {
+        let row = self.derivative.row(i + 1)[1..].iter().enumerate();
+        row.map(move |(j, value)| value + if i == j { ratio } else { 0.0 })
     }
 }
 
@@ -125,7 +132,7 @@ mod tests {
             let decay = libm::exp(-ratio);
             let expected = 0.7 * decay + 1.0 + libm::expm1(-ratio) / ratio;
             assert!((found - expected).abs() < 1e-10, "{ratio}: {:e}", found - expected);
-            let last: Vec<f64> = collocation.through(ratio).iter().map(|column| column[11]).collect();
+            let last: Vec<f64> = collocation.through(ratio).skip(11 * 13).collect();
             assert!(row.iter().zip(&last).all(|(a, b)| (a - b).abs() < 1e-10 * (1.0 + a.abs())), "{ratio}");
         }
     }

@@ -48,14 +48,12 @@ impl Kernel {
 
     /// Into any direction cosine `mu`.
     pub(crate) fn towards(&self, mu: f64, streams: &Streams) -> Towards {
-        let (size, count) = (self.even.size(), streams.count());
-        let mut legendre = vec![0.0; self.moments.len()];
-        legendre_row(mu, &mut legendre);
-        let mut parity = [vec![0.0; count], vec![0.0; count]];
-        for (l, (row, chi)) in self.projections.chunks(size).zip(&self.moments).enumerate() {
-            let weight = (2 * l + 1) as f64 * chi * legendre[l];
-            add_scaled(&mut parity[l % 2], weight, &row[..count]);
-        }
+        let count = streams.count();
+        let mut weights = vec![0.0; self.moments.len()];
+        legendre_row(mu, &mut weights);
+        let each = weights.iter_mut().zip(&self.moments).enumerate();
+        each.for_each(|(l, (weight, chi))| *weight *= (2 * l + 1) as f64 * chi);
+        let parity = onto(&weights, &self.projections, (self.even.size(), count));
         let to_nodes = |coefficients: &[f64]| {
             (0..count).map(|j| super::matrix::dot(streams.transform.row(j), coefficients)).collect()
         };
@@ -74,6 +72,16 @@ fn compressed(moments: &[f64], projections: &[f64], size: usize) -> [Matrix; 2] 
                 add_scaled(parity[l % 2].row_mut(k), weight * c, row);
             }
         }
+    }
+    parity
+}
+
+/// Σ weight_l c_kl of even and of odd l, for k < `count`.
+#[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
+fn onto(weights: &[f64], projections: &[f64], (size, count): (usize, usize)) -> [Vec<f64>; 2] {
+    let mut parity = [vec![0.0; count], vec![0.0; count]];
+    for (l, (row, weight)) in projections.chunks_exact(size).zip(weights).enumerate() {
+        add_scaled(&mut parity[l % 2], *weight, &row[..count]);
     }
     parity
 }

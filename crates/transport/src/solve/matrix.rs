@@ -75,7 +75,11 @@ impl Matrix {
 
     /// The same for several right sides.
     pub(crate) fn solve_each(self, rights: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
-        eliminate(&self, &rights)
+        let (n, width) = (self.size, self.size + rights.len());
+        let row = |i: usize| self.row(i).iter().copied().chain(rights.iter().map(move |right| right[i]));
+        let mut rows: Vec<f64> = (0..n).flat_map(row).collect();
+        eliminate(&mut rows, (n, width));
+        (n..width).map(|column| rows.chunks_exact(width).map(|row| row[column]).collect()).collect()
     }
 
     /// Solution of self · X = `right`, this matrix being upper triangular.
@@ -112,31 +116,33 @@ fn substitute(upper: &Matrix, mut right: Matrix) -> Matrix {
     right
 }
 
-/// Gaussian elimination in a processor's lanes, right sides behind their rows: nothing is fused or reordered, the bits are
-/// the same on all.
+/// Gaussian elimination of `n` rows, each with its right sides behind it, which become the solutions. In a processor's lanes:
+/// nothing is fused or reordered, the bits are the same on all.
 #[multiversion::multiversion(targets("x86_64+avx512f+avx512dq+avx512vl", "x86_64+avx2"))]
-fn eliminate(a: &Matrix, rights: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let n = a.size;
-    let row = |i: usize| a.row(i).iter().copied().chain(rights.iter().map(|right| right[i])).collect();
-    let mut rows: Vec<Vec<f64>> = (0..n).map(row).collect();
+pub(crate) fn eliminate(rows: &mut [f64], (n, width): (usize, usize)) {
     for k in 0..n {
+        let (above, below) = rows.split_at_mut((k + 1) * width);
+        let top = &mut above[k * width..];
         // The largest element of column k.
-        let pivot = (k..n).fold(k, |best, i| if rows[i][k].abs() > rows[best][k].abs() { i } else { best });
-        rows.swap(k, pivot);
-        let (above, below) = rows.split_at_mut(k + 1);
-        let inverse = 1.0 / above[k][k];
-        for row in below {
+        let larger = |best: &[f64], row: &[f64]| row[k].abs() > best[k].abs();
+        let pivot =
+            below.chunks_exact_mut(width).reduce(|best, row| if larger(best, row) { row } else { best });
+        if let Some(pivot) = pivot.filter(|pivot| larger(top, pivot)) {
+            top.swap_with_slice(pivot);
+        }
+        let inverse = 1.0 / top[k];
+        for row in below.chunks_exact_mut(width) {
             let factor = row[k] * inverse;
-            add_scaled(&mut row[k + 1..], -factor, &above[k][k + 1..]);
+            add_scaled(&mut row[k + 1..], -factor, &top[k + 1..]);
         }
     }
     for k in (0..n).rev() {
-        let (above, below) = rows.split_at_mut(k + 1);
-        let (left, right) = above[k].split_at_mut(n);
+        let (above, below) = rows.split_at_mut((k + 1) * width);
+        let (left, right) = above[k * width..].split_at_mut(n);
+        let below = below.chunks_exact(width);
         left[k + 1..].iter().zip(below).for_each(|(factor, row)| add_scaled(right, -factor, &row[n..]));
         right.iter_mut().for_each(|value| *value /= left[k]);
     }
-    (n..n + rights.len()).map(|column| rows.iter().map(|row| row[column]).collect()).collect()
 }
 
 #[cfg(test)]
@@ -187,18 +193,21 @@ pub(crate) fn add_products(target: &mut [f64], a: &[f64], b: &[f64]) {
     target.iter_mut().zip(a.iter().zip(b)).for_each(|(t, (a, b))| *t += a * b);
 }
 
-/// Σ aᵢbᵢ in four lanes.
+/// Σ aᵢbᵢ in eight lanes.
 #[inline]
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut lanes = [0.0; 4];
-    let (a4, b4) = (a.chunks_exact(4), b.chunks_exact(4));
-    let rest = a4.remainder().iter().zip(b4.remainder()).fold(0.0, |sum, (x, y)| sum + x * y);
-    for (x, y) in a4.zip(b4) {
-        for i in 0..4 {
+    let mut lanes = [0.0; 8];
+    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
+    for (lane, (x, y)) in lanes.iter_mut().zip(a8.remainder().iter().zip(b8.remainder())) {
+        *lane = x * y;
+    }
+    for (x, y) in a8.zip(b8) {
+        for i in 0..8 {
             lanes[i] += x[i] * y[i];
         }
     }
-    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest
+    let [a, b, c, d, e, f, g, h] = lanes;
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
 }
 
 #[cfg(test)]

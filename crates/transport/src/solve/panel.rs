@@ -19,10 +19,8 @@ impl Panel {
         let p = collocation.intervals();
         let mut through = vec![0.0; p * (p + 1) * streams.len()];
         for (m, mu) in streams.iter().enumerate() {
-            for (j, column) in collocation.through(width / mu).iter().enumerate() {
-                for (i, value) in column.iter().enumerate() {
-                    through[(i * (p + 1) + j) * streams.len() + m] = *value;
-                }
+            for (place, value) in collocation.through(width / mu).enumerate() {
+                through[place * streams.len() + m] = value;
             }
         }
         let mut leaving = vec![0.0; (p + 1) * beams.len()];
