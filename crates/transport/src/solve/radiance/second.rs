@@ -8,7 +8,7 @@ use crate::TransportError;
 use stratiform_stats::Estimate;
 
 /// Share of the tolerance that the angular rule should take.
-const SHARE: f64 = 0.2;
+const SHARE: f64 = 0.4;
 
 /// Three rules, each finer than the one before.
 #[derive(Clone)]
@@ -55,11 +55,11 @@ impl Rules {
         Estimate { value: self.0[2].twice(medium, phase, tau, geometry), std_error: 0.0 }
     }
 
-    /// By the finest rule with its error: twice the last step, or half of the one before lest two rules agree by chance.
+    /// By the finest rule with its error: four times the last step, or the one before lest two rules agree by chance.
     pub(super) fn twice(&self, medium: &Scaled, phase: &Phase, tau: f64, geometry: &Geometry) -> Estimate {
         let [coarse, middle, fine] = [0, 1, 2].map(|i| self.0[i].twice(medium, phase, tau, geometry));
         let step = (fine - middle).abs().max(0.25 * (middle - coarse).abs());
-        Estimate { value: fine, std_error: 2.0 * step + f64::EPSILON * fine.abs() }
+        Estimate { value: fine, std_error: 4.0 * step + f64::EPSILON * fine.abs() }
     }
 }
 
