@@ -1,6 +1,6 @@
-//! The chain: optics; side by side witness, colour, radiance, and reference with fit; family; side by side codegen with
-//! agreement and ladder, angular books, principal plane; convergence and quadrature, which measure time, alone; notes, report. Each
-//! stage leaves files and is skipped while its inputs are unchanged.
+//! The chain: optics; then side by side witness, colour, and all that needs neither: radiance, reference and fit; family; principal
+//! plane, codegen, angular books. After these agreement and ladder; convergence and quadrature, which measure time, alone; notes,
+//! report. Each stage leaves files and is skipped while its inputs are unchanged.
 
 pub mod accepted;
 mod agreement;

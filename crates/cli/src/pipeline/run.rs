@@ -53,16 +53,12 @@ pub fn run(config: &Config, out: &Path, target: Target, talk: Talk) -> Result<Pa
         .map_err(|error| CliError::from(error).at("the model that is fitted has no absorption"))?;
     let chain = Chain { config, cloud: &cloud, provenance: &provenance, talk };
     match target {
-        Target::Fit => side_by_side(&[&|| chain.fluxes(&work), &|| chain.radiance(&work)])?,
-        Target::Report => side_by_side(&[
-            &|| chain.witness(&work),
-            &|| chain.colour(&work),
-            &|| chain.radiance(&work),
-            &|| chain.fluxes(&work),
-        ])?,
+        Target::Fit => chain.tables(&work)?,
+        Target::Report => {
+            side_by_side(&[&|| chain.witness(&work), &|| chain.colour(&work), &|| chain.results(&work)])?;
+        }
     }
-    let parameters: ParametersDocument = read_json(&out.join("parameters.json"))?;
-    chain.family(&work)?;
+    let parameters = parameters(&work)?;
     if target == Target::Report {
         chain.finish(&work, &document, &parameters)?;
     }
@@ -138,7 +134,35 @@ impl Chain<'_> {
         work.stage("radiance", &inputs, |dir| radiance::write(config, settings, cloud, dir, talk))
     }
 
-    /// The stages after the fit.
+    /// All that is fitted.
+    fn tables(&self, work: &Workspace) -> Result<(), CliError> {
+        side_by_side(&[&|| self.radiance(work), &|| self.fluxes(work)])?;
+        self.family(work)
+    }
+
+    /// All that is fitted, and what needs no witness.
+    fn results(&self, work: &Workspace) -> Result<(), CliError> {
+        let Self { config, cloud, .. } = *self;
+        self.tables(work)?;
+        let before = fitted(work);
+        let beside = ["family", "radiance"].map(|stage| work.hash_of_stage(stage));
+        let parameters = &parameters(work)?;
+        let cut = &Cut::new(cloud, config.optics.theta_f_deg)?;
+        side_by_side(&[
+            &|| self.principal_plane(work, cut, parameters),
+            &|| {
+                let inputs = (&before, &beside, &config.codegen.targets);
+                work.stage("codegen", &inputs, |dir| codegen(config, parameters, cloud, cut, dir))
+            },
+            &|| {
+                work.stage("angular-books", &before, |dir| {
+                    angular_books::write(config, cloud, cut, parameters, dir)
+                })
+            },
+        ])
+    }
+
+    /// What holds the results against each other, and the report.
     fn finish(
         &self,
         work: &Workspace,
@@ -146,23 +170,9 @@ impl Chain<'_> {
         parameters: &ParametersDocument,
     ) -> Result<(), CliError> {
         let Self { config, cloud, provenance, talk, .. } = *self;
-        let before = ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage));
-        let beside = ["family", "radiance"].map(|stage| work.hash_of_stage(stage));
-        let cut = Cut::new(cloud, config.optics.theta_f_deg)?;
-        side_by_side(&[
-            &|| {
-                let inputs = (&before, &beside, &config.codegen.targets);
-                work.stage("codegen", &inputs, |dir| codegen(config, parameters, cloud, &cut, dir))?;
-                self.agreement(work, parameters)?;
-                self.ladder(work, parameters)
-            },
-            &|| {
-                work.stage("angular-books", &before, |dir| {
-                    angular_books::write(config, cloud, &cut, parameters, dir)
-                })
-            },
-            &|| self.principal_plane(work, &cut, parameters),
-        ])?;
+        let before = fitted(work);
+        self.agreement(work, parameters)?;
+        self.ladder(work, parameters)?;
         // These measure time, and have the machine to themselves.
         self.convergence(work, &before)?;
         work.stage("notes", &(&before, provenance, config.published_table), |dir| {
@@ -271,6 +281,16 @@ impl Chain<'_> {
             principal_plane::write(config, settings, cloud, cut, parameters, dir, talk)
         })
     }
+}
+
+/// Hashes of the stages that lead to the parameters.
+fn fitted(work: &Workspace) -> [String; 3] {
+    ["optics", "reference", "fit"].map(|stage| work.hash_of_stage(stage))
+}
+
+/// The parameters that were fitted.
+fn parameters(work: &Workspace) -> Result<ParametersDocument, CliError> {
+    Ok(read_json(&work.dir().join("parameters.json"))?)
 }
 
 fn codegen(
