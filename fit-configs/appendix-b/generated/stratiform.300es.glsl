@@ -2,7 +2,7 @@
 // Fluxes of a stratiform layer: the one-dimensional model of Bouthors et al. 2006.
 //
 // Program    stratiform 0.1.0
-// Inputs     576349b230c322e1d2bc72cc26ca79e3
+// Inputs     9e8cd09106608334c2bb2370b7269b95
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -60,7 +60,7 @@
 //   quantity    values     median        95 %       worst       sigma
 //   t_ms            20    1.02e-3     3.26e-3     3.29e-3    8.98e-10
 //   r_ms            20    1.02e-3     3.26e-3     3.29e-3    8.98e-10
-//   t_0             20   1.94e-16    1.94e-14    2.78e-14     1.19e-7
+//   t_0             20   1.39e-16    1.94e-14    2.78e-14     1.19e-7
 //   t_1             20    7.75e-3     1.82e-2     1.91e-2     1.19e-7
 //   t_2             20    4.71e-3     1.51e-2     1.54e-2     1.19e-7
 //   t_3_plus        20    1.04e-2     2.56e-2     3.50e-2     1.19e-7

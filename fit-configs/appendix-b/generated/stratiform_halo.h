@@ -2,7 +2,7 @@
 // Halo around the sun behind a stratiform layer: light that met forward events only.
 //
 // Program    stratiform 0.1.0
-// Inputs     576349b230c322e1d2bc72cc26ca79e3
+// Inputs     9e8cd09106608334c2bb2370b7269b95
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -60,7 +60,7 @@ static const float stratiform_halo_table[2048] = {
     0.0001676691f, 0.00016033615f, 0.00014127516f, 9.539684e-5f, 6.091785e-5f, 6.13026e-5f, 6.7610774e-5f, 4.8774058e-5f,
     2.0932195e-5f, 1.6489965e-5f, 2.979002e-5f, 2.903725e-5f, 9.558565e-6f, 0.0f, 8.953868e-6f, 1.8156545e-5f,
     8.557716e-6f, 0.0f, 0.0f, 9.868238e-6f, 9.433497e-6f, 0.0f, 0.0f, 2.9232149e-6f,
-    8.873936e-6f, 1.291713e-6f, 0.0f, 0.0f, 6.3800976e-6f, 4.4994204e-6f, 0.0f, 0.0f,
+    8.873936e-6f, 1.291713e-6f, 0.0f, 0.0f, 6.3800976e-6f, 4.49942e-6f, 0.0f, 0.0f,
     2448.339f, 2427.5369f, 2366.7273f, 2270.4368f, 2145.4011f, 1999.5897f, 1841.1979f, 1677.8004f,
     1515.7726f, 1360.0037f, 1213.8712f, 1079.3962f, 957.4972f, 848.2666f, 751.2275f, 665.54755f,
     590.20557f, 524.11084f, 466.18018f, 415.38495f, 370.77673f, 331.49924f, 296.7899f, 265.9744f,

@@ -2,7 +2,7 @@
 // Halo around the sun behind a stratiform layer: light that met forward events only.
 //
 // Program    stratiform 0.1.0
-// Inputs     576349b230c322e1d2bc72cc26ca79e3
+// Inputs     9e8cd09106608334c2bb2370b7269b95
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
@@ -56,7 +56,7 @@ pub static STRATIFORM_HALO_TABLE: [f32; 2048] = [
     0.0001676691, 0.00016033615, 0.00014127516, 9.539684e-5, 6.091785e-5, 6.13026e-5, 6.7610774e-5, 4.8774058e-5,
     2.0932195e-5, 1.6489965e-5, 2.979002e-5, 2.903725e-5, 9.558565e-6, 0.0, 8.953868e-6, 1.8156545e-5,
     8.557716e-6, 0.0, 0.0, 9.868238e-6, 9.433497e-6, 0.0, 0.0, 2.9232149e-6,
-    8.873936e-6, 1.291713e-6, 0.0, 0.0, 6.3800976e-6, 4.4994204e-6, 0.0, 0.0,
+    8.873936e-6, 1.291713e-6, 0.0, 0.0, 6.3800976e-6, 4.49942e-6, 0.0, 0.0,
     2448.339, 2427.5369, 2366.7273, 2270.4368, 2145.4011, 1999.5897, 1841.1979, 1677.8004,
     1515.7726, 1360.0037, 1213.8712, 1079.3962, 957.4972, 848.2666, 751.2275, 665.54755,
     590.20557, 524.11084, 466.18018, 415.38495, 370.77673, 331.49924, 296.7899, 265.9744,

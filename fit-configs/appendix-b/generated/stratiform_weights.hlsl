@@ -2,7 +2,7 @@
 // What a slab does to light that is scattered once, twice, or not at all: for the libraries of radiance.
 //
 // Program    stratiform 0.1.0
-// Inputs     576349b230c322e1d2bc72cc26ca79e3
+// Inputs     9e8cd09106608334c2bb2370b7269b95
 // Config     788f9247b859dd83b10281f06d40d1a2
 // Seed       none
 // Method     discrete ordinates; least squares on a fixed grid; std_error is an estimated error, not a standard deviation: that of the fluxes, carried through the fit as a bound
