@@ -66,8 +66,10 @@ impl<'a, R: Real> Flock<'a, R> {
     #[inline(always)]
     fn run(&mut self, control: Control<'_>) {
         (0..LANES).for_each(|lane| self.launch(lane));
-        for step in 0_u32.. {
-            if self.alive == 0 || step % PATIENCE == PATIENCE - 1 && control.is_cancelled() {
+        let mut step = 0_u32;
+        loop {
+            step = step.wrapping_add(1);
+            if self.alive == 0 || step.is_multiple_of(PATIENCE) && control.is_cancelled() {
                 return;
             }
             let events = self.lanes.collide_and_fly(self.table, self.half_space.absorbs_from);

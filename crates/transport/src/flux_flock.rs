@@ -49,8 +49,9 @@ pub(crate) fn trace<R: Real>(
                 waiting: (LaneList::none(), 0),
                 tails,
             };
-            flock.run(tallies, control);
-            flock.tails.iter().zip(tallies).for_each(|(tail, tally)| tail.close(tally));
+            if flock.run(tallies, control) {
+                flock.tails.iter().zip(tallies).for_each(|(tail, tally)| tail.close(tally));
+            }
         }
     }
 }
@@ -123,18 +124,21 @@ struct Flock<'a, R: Real> {
 }
 
 impl<R: Real> Flock<'_, R> {
+    /// Whether all photons came to their end.
     #[inline(always)]
-    fn run(&mut self, tallies: &mut [Tally], control: Control<'_>) {
+    fn run(&mut self, tallies: &mut [Tally], control: Control<'_>) -> bool {
         let mut alive = LANES;
-        for step in 0_u32.. {
+        let mut step = 0_u32;
+        loop {
             while let Some(lane) = self.free.pop() {
                 if !self.launch(lane, tallies) {
                     self.lanes.park(lane);
                     alive -= 1;
                 }
             }
-            if alive == 0 || step % PATIENCE == PATIENCE - 1 && control.is_cancelled() {
-                return;
+            step = step.wrapping_add(1);
+            if alive == 0 || step.is_multiple_of(PATIENCE) && control.is_cancelled() {
+                return alive == 0;
             }
             self.step();
         }

@@ -3,10 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop where it fails")]
 
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 use stratiform_optics::phase::HenyeyGreenstein;
 use stratiform_quantities::{Asymmetry, Incidence, Order, SingleScatteringAlbedo};
 use stratiform_transport::{
-    Control, Extent, Fluxes, Quantity, Stop, TraceMedium, TraceRequest, Traced, trace_fluxes,
+    Control, Extent, Fluxes, Quantity, Stop, TraceMedium, TraceRequest, Traced, TransportError, trace_fluxes,
     trace_half_space,
 };
 
@@ -74,4 +75,15 @@ fn what_was_not_followed_is_not_known() {
     let (_, all) = traced(1.0, &request, Extent::ToTheEnd);
     assert_eq!(all.orders(), Order::rows(MAX_ORDER).collect::<Vec<_>>());
     assert_eq!(all.estimate(0, Order::Exactly(3)), None);
+}
+
+#[test]
+fn a_trace_that_is_stopped_says_so() {
+    let request = request(&[50.0, 200.0], Incidence::beam(1.0).unwrap(), 100_000);
+    let stop = AtomicBool::new(true);
+    let control = Control { progress: None, cancel: Some(&stop) };
+    for extent in [Extent::ToTheEnd, Extent::ListedOrders] {
+        let stopped = trace_fluxes(&medium(1.0), &request, extent, control);
+        assert_eq!(stopped, Err(TransportError::Cancelled));
+    }
 }
