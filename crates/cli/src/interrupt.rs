@@ -35,6 +35,12 @@ pub fn watch() -> Watch {
     Watch(())
 }
 
+/// Whether somebody looks at the flag.
+#[cfg(test)]
+pub fn is_watched() -> bool {
+    WATCHES.load(Ordering::Relaxed) > 0
+}
+
 impl Watch {
     /// The flag.
     pub fn flag(&self) -> &'static AtomicBool {

@@ -105,7 +105,8 @@ impl Plan {
             let incidence = light(row)?;
             let mut trace = |medium| {
                 let advanced = |done: u64, _total: u64| progress(before + done);
-                let control = super::control(&advanced, &interrupt::watch());
+                let watch = interrupt::watch();
+                let control = super::control(&advanced, &watch);
                 let result = one(medium, &self.request(incidence, medium), control);
                 before += self.photons;
                 result.map_err(super::trace_error)
@@ -124,6 +125,21 @@ impl Plan {
             max_order: MAX_ORDER,
             seed: self.seed,
             stream: super::stream_of(incidence, medium),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_signal_is_looked_for_while_photons_fly() {
+        let rows = vec![RowIncidence::Degrees(0.0), RowIncidence::diffuse()];
+        let plan = Plan { rows, tau: vec![1.0], photons: 2, seed: 1 };
+        let watched = |_, _: &TraceRequest, _: Control<'_>| Ok(interrupt::is_watched());
+        for traced in plan.trace(&|_| (), watched).unwrap() {
+            assert!(*traced.get(Medium::Full) && *traced.get(Medium::Modified));
         }
     }
 }
