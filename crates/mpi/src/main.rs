@@ -68,6 +68,7 @@ fn trace(ranks: &Ranks, args: &TraceArgs, talk: Talk) -> Result<Option<RunParts>
     let run = TraceRun::new(args, &medium, &device);
     let engines = ranks.agree(run.engines(&medium, &device), say)?;
     let mut parts = RunParts::nothing(run, ranks.agree(ranks.share(), say)?, &engines);
+    ranks.agree(ranks.check_same(&parts), say)?;
     let checkpoint = ranks.agree(Checkpoint::resumed(&args.spread, &mut parts, talk), say)?;
     let traced = parts.trace_keeping(&engines, checkpoint, talk).and_then(|()| ranks.sum(parts));
     Ok(traced.unwrap_or_else(|error| ranks.end_all(error)))

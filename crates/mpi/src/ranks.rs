@@ -63,6 +63,20 @@ impl Ranks {
         Err(code)
     }
 
+    /// Refuses, before anything is traced, parts of another trace than the first rank's.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] naming the first difference.
+    pub fn check_same(&self, parts: &RunParts) -> Result<(), CliError> {
+        let mut bytes = if self.is_first() { parts.to_bytes().unwrap_or_default() } else { Vec::new() };
+        let mut length = bytes.len() as u64;
+        let first = self.world.process_at_rank(0);
+        first.broadcast_into(&mut length);
+        bytes.resize(length as usize, 0);
+        bytes.chunks_mut(MESSAGE).for_each(|piece| first.broadcast_into(piece));
+        if self.is_first() { Ok(()) } else { RunParts::from_bytes(&bytes)?.merge(parts) }
+    }
+
     /// Says what happened and ends every rank of the job.
     pub fn end_all(&self, error: CliError) -> ! {
         let code = match error {

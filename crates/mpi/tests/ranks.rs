@@ -81,7 +81,7 @@ fn the_error_of_one_rank_ends_all() {
     assert_eq!(stdout(dir.path(), 3, &kept), whole);
 }
 
-/// Ranks that were started for different things find out when they add up.
+/// Ranks that were started for different things find out before they trace.
 #[test]
 fn ranks_of_different_traces_are_refused() {
     let dir = tempdir().unwrap();
@@ -90,7 +90,7 @@ fn ranks_of_different_traces_are_refused() {
         job.args([":"; 1].iter().take(index)).args(["-n", "1", env!("CARGO_BIN_EXE_stratiform-mpi")]);
         job.args(TRACE.split(' ')).args(["--seed", &seed.to_string()]);
     }
-    let says = ["rank 1 of 2", "it belongs to another trace", "its seed is 2, not 1"];
+    let says = ["rank 2 of 2", "it belongs to another trace", "its seed is 2, not 1"];
     refused(&job.output().unwrap(), 2, &says);
 }
 

@@ -14,10 +14,11 @@ pub fn command(dir: &Path, ranks: usize, args: &str) -> Command {
     command
 }
 
-/// `mpirun` that starts any number of ranks on this machine, whoever runs the test.
+/// `mpirun` that starts any number of ranks on this machine, whoever runs the test. A job that hangs is ended, and fails.
 pub fn mpirun(dir: &Path) -> Command {
     let mut command = Command::new("mpirun");
     command.current_dir(dir).args(["--oversubscribe", "--bind-to", "none", "--mca", "btl", "self,vader"]);
+    command.args(["--timeout", "120"]);
     command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
     command.stdin(Stdio::null());
     command
