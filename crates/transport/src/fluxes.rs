@@ -15,7 +15,7 @@ pub enum Extent {
 }
 
 /// Reflectance and transmittance, without the number of scatterings: that of a slab is known only if each photon is looked at
-/// when it passes the bottom, which takes a third of the time of many slabs.
+/// when it passes the bottom, which costs time, the more slabs the more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fluxes {
     traced: Traced,

@@ -27,7 +27,7 @@ const TOLERANCE: f64 = 1e-7;
 const FINEST: usize = 96;
 const STREAMS: [usize; 9] = [2, 4, 6, 8, 12, 16, 24, 32, 48];
 
-/// Runs of the solver of which the fastest counts, at most; all but the first within `ENOUGH` seconds.
+/// Runs of the solver of which the fastest counts, at most; all but the first end within `ENOUGH` seconds.
 const REPEATS: usize = 5;
 const ENOUGH: f64 = 0.005;
 
